@@ -15,6 +15,8 @@ class EventReporter {
   // The common events "settled" and "rebuild" (structure.h): `event` has all but its kind.
   virtual void settled(Event) {}
   virtual void rebuilt(Event) {}
+  // The structure's watchers are to be notified without an event.
+  virtual void changed_within(StructureId) {}
 };
 
 }  // namespace kinex

@@ -318,6 +318,10 @@ void Kernel::report_settled(StructureId structure, std::span<const ObjectId> gon
   if (reporter_ != nullptr) reporter_->settled(event);
 }
 
+void Kernel::report_changed_within(StructureId structure) {
+  if (reporter_ != nullptr) reporter_->changed_within(structure);
+}
+
 bool Kernel::instant_is_shared(StructureId structure) const { return shared_[structure] != 0; }
 
 void Kernel::count_rebuild(StructureId structure, const std::string& reason,

@@ -200,6 +200,9 @@ class Kernel {
   // Without such changes nothing is reported. See Structure::instant_over.
   void report_settled(StructureId structure, std::span<const ObjectId> gone,
                       std::span<const ObjectId> came);
+  // The structure has changed, but not its attribute: its watchers, which may read more of it than
+  // that, are notified as of a rebuild when its present call has returned.
+  void report_changed_within(StructureId structure);
   // True while more than one certificate of `structure` fails at this instant, or motions changed
   // at it, or the structure called settle_later: the instant may be degenerate.
   bool instant_is_shared(StructureId structure) const;

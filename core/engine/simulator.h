@@ -221,6 +221,7 @@ class Simulator final : private EventReporter {
   void reported(const Event& event) override;
   void settled(Event event) override;
   void rebuilt(Event event) override;
+  void changed_within(StructureId id) override;
   void report_common(Event event, CommonEvent kind);
   void report_change(StructureId id, CommonEvent kind, ObjectId object);
   RepeatedObject with_names(const RepeatedObject& error) const;

@@ -61,8 +61,11 @@ void Simulator::settled(Event event) { report_common(event, CommonEvent::kSettle
 
 void Simulator::rebuilt(Event event) {
   report_common(event, CommonEvent::kRebuild);
-  if (entries_[event.structure].watchers.empty()) return;
-  notices_.push_back({event.structure, false, {}});
+  changed_within(event.structure);
+}
+
+void Simulator::changed_within(StructureId id) {
+  if (!entries_[id].watchers.empty()) notices_.push_back({id, false, {}});
 }
 
 void Simulator::report_change(StructureId id, CommonEvent kind, ObjectId object) {

@@ -99,8 +99,8 @@ class Structure {
   // erasures, and after its insertions): the place to report changes at the instant that have not
   // been reported yet (Kernel::report_settled). Nothing else may change.
   virtual void instant_over() {}
-  // A watched structure changed its attribute (`event` is external), or gained or lost an object or
-  // was rebuilt (nullptr). Called when the watched structure has done its work. At the start, and
+  // A watched structure changed its attribute (`event` is external), or gained or lost an object, was
+  // rebuilt or changed within (nullptr; Kernel::report_changed_within). Called when the watched structure has done its work. At the start, and
   // when objects appear or disappear, a watched structure is built, notified or repaired before its
   // watchers.
   virtual void watched_changed(const Event* event) { (void)event; }

@@ -15,6 +15,7 @@ Delaunay2::Delaunay2(Kernel& kernel, StructureId id, const Scene& scene)
       order_{kernel.bind(make_coordinate_order(0)), kernel.bind(make_coordinate_order(1))},
       orientation_(kernel.bind(make_orientation_2())),
       in_circle_(kernel.bind(make_in_circle_2())),
+      obtuse_(kernel.bind(make_obtuse_angle_2())),
       edges_(kernel, id, "edges"),
       store_(scene.objects.size()),
       points_(scene.objects.size()),
@@ -62,12 +63,37 @@ void Delaunay2::set_certificate(HalfEdge h) {
   }
   CertificateId slot = store_.label(h);
   const bool fresh = slot == kNoCertificate;
-  note_outlook(h, edges_.set(slot, query, h));
+  const Outlook outlook = edges_.set(slot, query, h);
   if (fresh) store_.set_label(h, slot);
+  note_outlook(h, outlook);
+}
+
+// Between its neighbours on the line that all three share for ever.
+Query Delaunay2::straight_query_of(HalfEdge h) const {
+  Query query = query_of(h);
+  query.predicate = obtuse_;
+  return query;
+}
+
+bool Delaunay2::is_straight(HalfEdge h) const {
+  return at_infinity(h) && kernel_->query(store_.label(h)).predicate == obtuse_;
+}
+
+void Delaunay2::set_straight(HalfEdge h) {
+  straight_ = true;
+  CertificateId slot = store_.label(h);
+  const Outlook outlook = edges_.set(slot, straight_query_of(h), h);
+  fails_now_ = fails_now_ || outlook == Outlook::kFailsNow;
+}
+
+// New motions may have made the turn at a hull vertex identically zero, or ended that.
+void Delaunay2::follow_turn(HalfEdge h) {
+  if (!at_infinity(h) || store_.label(h) == kNoCertificate) return;
+  if (is_straight(h) != (kernel_->sign_after(query_of(h)) == Sign::kZero)) set_certificate(h);
 }
 
 void Delaunay2::note_outlook(HalfEdge h, Outlook outlook) {
-  if (outlook == Outlook::kIdenticallyZero) ties_.note(h);
+  if (outlook == Outlook::kIdenticallyZero) return at_infinity(h) ? set_straight(h) : ties_.note(h);
   fails_now_ = fails_now_ || outlook == Outlook::kFailsNow;
 }
 
@@ -246,6 +272,10 @@ void Delaunay2::certificate_failed(CertificateId failed) {
   const HalfEdge h = edges_.failed(failed);
   prefetch_rim(h);
   prefetch_next();
+  if (is_straight(h)) {  // two points of the hull meet
+    kernel_->settle_later(id_);
+    return blocked(h, true);
+  }
   const bool shared = kernel_->instant_is_shared(id_);
   const HalfEdge g = store_.twin(h);
   const ObjectId u = store_.origin(h), v = store_.origin(g);

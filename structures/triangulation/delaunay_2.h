@@ -7,6 +7,8 @@
 //   all four finite    q is not inside the circle through u, v, p    in_circle_2,   degree 4d
 //   p or q infinite    the other one is inside the hull edge uv      orientation_2, degree 2d
 //   u or v infinite    the hull turns left at the other end          orientation_2, degree 2d
+//                      if its turn is identically zero: that end is
+//                      between its neighbours on the hull            obtuse_angle_2, degree 2d
 // Locally Delaunay everywhere is globally Delaunay (Delaunay 1934).
 //
 //          p                  p
@@ -21,7 +23,7 @@
 //   compactness     3n - 3 certificates, exactly
 //   locality        not local: a point is in one certificate for each of its edges and one for each
 //                   edge of its link, up to 2 (n - 1) or more
-//   responsiveness  one flip, 5 certificates
+//   responsiveness  one flip, 5 certificates; up to 3 more where the hull is identically straight
 //   efficiency      every event is external (ratio 1)
 // Events, linear motion: each in_circle_2 changes sign at most 4 times and each orientation_2
 // twice, so at most 4 C(n,4) + 2 C(n,3); growth O(n^3 2^alpha(n)) (Guibas, Mitchell, Roos 1991).
@@ -64,7 +66,8 @@
 // inserted again, the net change of edges is reported by one "settled" at the end of the instant,
 // or by the "rebuild"; flips in between are then internal. (So are flips to an edge that exists
 // already, or from one that exists twice.) The net change is collected edge by edge as edges
-// change, so finding it costs no more than the repair.
+// change, so finding it costs no more than the repair. Triangles may change though no edge does (of
+// four points another one is now inside): watchers are then notified without an event.
 //
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7; Guibas,
 // Mitchell, Roos, "Voronoi diagrams of moving points in the plane" (1991); insertion: Bowyer
@@ -147,6 +150,15 @@ class Delaunay2 final : public Structure {
 
   // ---- delaunay_2.cpp: certificates and flips
   Query query_of(HalfEdge h) const;
+  // For a hull vertex whose turn is identically zero, by its edge to infinity.
+  Query straight_query_of(HalfEdge h) const;
+  bool at_infinity(HalfEdge h) const {
+    return store_.origin(h) == store_.infinity() || store_.target(h) == store_.infinity();
+  }
+  bool is_straight(HalfEdge h) const;
+  void set_straight(HalfEdge h);
+  void follow_turn(HalfEdge h);
+  bool holds_claim(HalfEdge h) const;
   void set_certificate(HalfEdge h);
   void set_certificates(const std::array<HalfEdge, 4>& edges);
   void note_outlook(HalfEdge h, Outlook outlook);
@@ -218,6 +230,7 @@ class Delaunay2 final : public Structure {
   PredicateId order_[2];
   PredicateId orientation_;
   PredicateId in_circle_;
+  PredicateId obtuse_;
   Slots edges_;  // tag: a half-edge; the slot is its label
   Kernel::Group renewed_;  // of set_certificates(): kept, since a new one would be filled with zeros
   Ties ties_;    // edges to be compared with the rule for cocircular points
@@ -255,6 +268,7 @@ class Delaunay2 final : public Structure {
   bool corrupt_ = false;
   bool certify_ = true;  // false while the static algorithm runs: certificates come at its end
   std::uint64_t tie_flips_ = 0;
+  bool straight_ = false;  // a hull vertex has had a turn that was identically zero
   std::uint64_t reinsertions_ = 0;
   bool mended_ = false;  // at this instant points were put in or taken out
 

@@ -68,8 +68,11 @@ std::vector<BoundCheck> Delaunay2::bounds(const BoundContext& context) const {
                              Integer(4) * d * binomial(n, 4) + Integer(2) * d * binomial(n, 3),
                              Integer(events)));
     if (tie_flips_ == 0) {
-      checks.push_back(at_most("delaunay_2.responsiveness", "a flip renews 5 certificates",
-                               Integer(5),
+      checks.push_back(at_most("delaunay_2.responsiveness",
+                               straight_ ? "a flip renews 5 certificates, of up to 3 hull vertices "
+                                           "whose turn is identically zero twice"
+                                         : "a flip renews 5 certificates",
+                               Integer(straight_ ? 8 : 5),
                                Integer(static_cast<std::int64_t>(ledger.created_per_event.max))));
     }
   } else {
@@ -77,6 +80,13 @@ std::vector<BoundCheck> Delaunay2::bounds(const BoundContext& context) const {
                              d * binomial(n, 2), Integer(events)));
   }
   return checks;
+}
+
+bool Delaunay2::holds_claim(HalfEdge h) const {
+  const CertificateId label = store_.label(h);
+  if (edges_.holds(label, query_of(h), h)) return !at_infinity(h) || !edges_.is_tie(label);
+  return at_infinity(h) && edges_.holds(label, straight_query_of(h), h) &&
+         (!exact_ || kernel_->sign_after(query_of(h)) == Sign::kZero);
 }
 
 void Delaunay2::check_invariants(AuditReport& report) const {
@@ -93,9 +103,7 @@ void Delaunay2::check_invariants(AuditReport& report) const {
   report.check(defect.empty(), [&] { return defect; });
   for (HalfEdge h = 0; h < store_.half_edge_capacity(); ++h) {
     if (!store_.live(Triangulation2::triangle(h)) || h > store_.twin(h)) continue;
-    const bool good = edges_.holds(store_.label(h), query_of(h), h) ||
-                      edges_.holds(store_.label(h), query_of(store_.twin(h)), store_.twin(h));
-    report.check(good, [&] {
+    report.check(holds_claim(h) || holds_claim(store_.twin(h)), [&] {
       return "edge " + std::to_string(store_.origin(h)) + " " + std::to_string(store_.target(h)) +
              " has no certificate or another edge's";
     });

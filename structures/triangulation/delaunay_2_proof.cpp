@@ -32,9 +32,10 @@ void Delaunay2::visit_proof(ProofVisitor& visitor) const {
       if (!to_infinity) group.about.push_back(v);
       visitor.group(group);
       if (store_.label(h) == kNoCertificate) continue;
-      visitor.certificate(store_.label(h), to_infinity ? "the hull turns left"
-                                           : on_hull   ? "the third vertex is inside"
-                                                       : "the circle is empty");
+      visitor.certificate(store_.label(h), is_straight(h) ? "between its neighbours on the hull"
+                                           : to_infinity  ? "the hull turns left"
+                                           : on_hull      ? "the third vertex is inside"
+                                                          : "the circle is empty");
     }
   }
 }

@@ -115,8 +115,10 @@ void Delaunay2::instant_settled() {
     if (corrupt_ || on_line_ || !store_.has(v)) continue;
     store_.link(v, link_);
     for (const HalfEdge h : link_) {
-      ties_.note(h);
-      ties_.note(Triangulation2::next(h));
+      for (const HalfEdge edge : {h, Triangulation2::next(h)}) {
+        ties_.note(edge);
+        follow_turn(edge);
+      }
     }
   }
   if (!corrupt_) settle_ties(true);
@@ -134,6 +136,7 @@ void Delaunay2::instant_over() {
   if (corrupt_ || untold_.size() == 0) return;
   const AttributeDifference change = untold_.take();
   kernel_->report_settled(id_, change.gone, change.came);
+  if (change.gone.empty() && change.came.empty()) kernel_->report_changed_within(id_);
 }
 
 // Collects finite triangles around the suspects that are not positively oriented right after now.

@@ -210,6 +210,7 @@ struct Reporter final : EventReporter {
   void reported(const Event& event) override { take("own", event); }
   void settled(Event event) override { take("settled", event); }
   void rebuilt(Event event) override { take("rebuilt", event); }
+  void changed_within(StructureId id) override { lines.push_back("within " + std::to_string(id)); }
   void take(const char* what, const Event& event) {
     lines.push_back(std::string(what) + (event.external ? " !" : ""));
     gone.assign(event.gone.begin(), event.gone.end());
@@ -239,8 +240,9 @@ TEST(Kernel, EventsWithADifference) {
   EXPECT_EQ(reporter.reason, "why");
   f.kernel->count_rebuild(f.a, "why", two, none);
   EXPECT_EQ(reporter.gone, two);
-  EXPECT_EQ(reporter.lines,
-            (std::vector<std::string>{"own !", "own", "settled !", "rebuilt", "rebuilt !"}));
+  f.kernel->report_changed_within(f.a);  // no event, and counted nowhere
+  EXPECT_EQ(reporter.lines, (std::vector<std::string>{"own !", "own", "settled !", "rebuilt",
+                                                      "rebuilt !", "within 0"}));
   EXPECT_EQ(f.kernel->ledger(f.a).external, 3u);
   EXPECT_EQ(f.kernel->ledger(f.a).processed, 3u);
   EXPECT_EQ(f.kernel->ledger(f.a).rebuilds, 2u);

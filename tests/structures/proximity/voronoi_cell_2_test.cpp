@@ -96,6 +96,12 @@ void on_lattices(std::uint64_t seeds) {
 
 TEST(VoronoiCell2, TinyLattices) { on_lattices(150); }
 
+// All four points are neighbours before and after: another one is inside, and no edge changes.
+TEST(VoronoiCell2, NoEdgeChangesButTheOrder) {
+  const TwinRun run(lattice_scene(21546, 5, 2), {cell_of(0)});
+  EXPECT_GT(count(run, "turn"), 0u);
+}
+
 TEST(SlowVoronoiCell2, TinyLattices) { on_lattices(2000); }
 
 TEST(VoronoiCell2, RandomFlights) {

