@@ -223,8 +223,9 @@ class CurvesDrawing {
     add(fmt::format("{} using 1:2 with lines lw 1.5 dt 2 lc rgb '{}'", block, style.colour), entry);
   }
 
-  // Below the last point of the curve that rises most like it.
+  // Below the last point of the curve that rises most like it; none if no curve does.
   void add_guide(double slope) {
+    constexpr double kFarthestSlope = 0.9;
     const FitPoint* last = nullptr;
     double nearest = 0;
     for (const Curve& curve : curves_) {
@@ -240,7 +241,7 @@ class CurvesDrawing {
       nearest = std::fabs(own - slope);
       last = to;
     }
-    if (last == nullptr) return;
+    if (last == nullptr || nearest > kFarthestSlope) return;
     const double factor = 0.6 * last->count / std::pow(last->n, slope);
     add(fmt::format("{:.10g}*x**{:.6g} with lines lw 1.2 dt {} lc rgb '#555555'", factor, slope,
                     ++guides_ == 1 ? 3 : 4),

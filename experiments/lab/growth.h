@@ -25,8 +25,9 @@ struct GrowthResult {
 // (power_verdict.h).
 // A law with logarithms is judged by judge_law (law_verdict.h).
 // Nothing is confirmed from fewer cells than the claim has. There is no judgement at all if a cell has
-// fewer seeds than its least number, or too few for its required precision. So less data never confirms
-// more.
+// fewer seeds than its least number, or too few for its required precision: no part of the data that a
+// claim requires confirms what the whole does not. Data beyond those may show a misfit that smaller
+// samples hide: their chi squared is then bad, and the claim, which they confirmed, is open again.
 GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult>& cells);
 
 }  // namespace kinex::lab

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "experiments/lab/curves.h"
 
 namespace kinex::lab {
@@ -12,6 +14,10 @@ namespace {
 constexpr int kResidualsHeight = 380, kLegendRow = 20;
 constexpr double kBeside = 1.03;  // where references are drawn, over the size
 
+std::string size_text(double n) {
+  return n == std::floor(n) ? fmt::format("{:.6g}", n) : fmt::format("{:.3g}", n);
+}
+
 // A tic at every size; of many sizes at those that are well apart.
 std::string size_tics(const std::vector<FitPoint>& points) {
   constexpr double kApart = 1.25;
@@ -19,8 +25,8 @@ std::string size_tics(const std::vector<FitPoint>& points) {
   double last = 0;
   for (const FitPoint& point : points) {
     const bool labelled = point.n >= kApart * last;
-    text += fmt::format("{}{}{:.6g}{}", text.empty() ? "" : ", ", labelled ? "" : "'' ", point.n,
-                        labelled ? "" : " 1");
+    text += fmt::format("{}'{}' {:.10g}{}", text.empty() ? "" : ", ", labelled ? size_text(point.n) : "",
+                        point.n, labelled ? "" : " 1");
     if (labelled) last = point.n;
   }
   return "set xtics (" + text + ")\n";

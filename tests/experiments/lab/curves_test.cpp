@@ -49,6 +49,17 @@ TEST(Curves, BarsWhereSeedsDiffer) {
   EXPECT_THAT(script_of(kLogarithmic, {mean}), HasSubstr("\n1 4 2 6\n"));
 }
 
+// A guide beside curves that do not rise would cross a corner of the picture.
+TEST(Curves, AGuideNeedsACurveThatRisesLikeIt) {
+  const Curve flat{"flat", {{8, 4, 0}, {64, 4, 0}}, ""}, square{"square", {{8, 64, 0}, {64, 4096, 0}}, ""};
+  CurvesPicture picture = kLogarithmic;
+  picture.slopes = {1, 2};
+  EXPECT_THAT(script_of(picture, {flat}), Not(HasSubstr("slope")));
+  const std::string both = script_of(picture, {flat, square});
+  EXPECT_THAT(both, HasSubstr("title 'slope 2'"));
+  EXPECT_THAT(both, Not(HasSubstr("title 'slope 1'")));
+}
+
 TEST(Curves, OneFormOfNumbersPerAxis) {
   const std::string two = log_tics('x', 8, 1000);
   EXPECT_THAT(two, HasSubstr("'10^{1}' 1e1, '' 2e1 1, "));
