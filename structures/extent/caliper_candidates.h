@@ -27,8 +27,8 @@
 #include <vector>
 
 #include "structures/extent/calipers.h"
+#include "structures/parts/pair_distances.h"
 #include "structures/parts/shared_queries.h"
-#include "structures/proximity/pair_distances.h"
 
 namespace kinex {
 

@@ -22,7 +22,7 @@
 #include "core/engine/structure.h"
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/changing_extremum.h"
-#include "structures/proximity/pair_distances.h"
+#include "structures/parts/pair_distances.h"
 
 namespace kinex {
 

@@ -27,7 +27,7 @@
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/changing_extremum.h"
 #include "structures/parts/object_sets.h"
-#include "structures/proximity/pair_distances.h"
+#include "structures/parts/pair_distances.h"
 
 namespace kinex {
 

@@ -23,8 +23,8 @@
 
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/changing_extremum.h"
+#include "structures/parts/pair_distances.h"
 #include "structures/proximity/counted_edges.h"
-#include "structures/proximity/pair_distances.h"
 
 namespace kinex {
 

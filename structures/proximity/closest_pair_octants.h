@@ -26,8 +26,8 @@
 
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/changing_extremum.h"
+#include "structures/parts/pair_distances.h"
 #include "structures/proximity/cone_neighbours.h"
-#include "structures/proximity/pair_distances.h"
 
 namespace kinex {
 

@@ -43,10 +43,10 @@
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/changing_extremum.h"
 #include "structures/parts/kinetic_list.h"
+#include "structures/parts/pair_distances.h"
 #include "structures/proximity/cone_frame.h"
 #include "structures/proximity/octant_pairs.h"
 #include "structures/proximity/turned_order.h"
-#include "structures/proximity/pair_distances.h"
 
 namespace kinex {
 

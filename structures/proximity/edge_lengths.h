@@ -10,7 +10,7 @@
 #include <map>
 #include <vector>
 
-#include "structures/proximity/pair_distances.h"
+#include "structures/parts/pair_distances.h"
 #include "structures/proximity/tree_edges.h"
 
 namespace kinex {

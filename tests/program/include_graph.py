@@ -1,15 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The include graph of the project's rooms, the folders of the second level (of the third in
-experiments/families), has no cycle, and is the one that is drawn.
+experiments/families), has no cycle, and is the one that is drawn; a file includes only rooms that its target links.
 
-usage: include_graph.py SOURCE_FOLDER [--draw]
+usage: include_graph.py SOURCE_FOLDER [--draw | --links FILE]
 
 A file that lies directly in a folder of the first level belongs to that folder's hall (core, predicates,
 ..). --draw writes experiments/pictures/rooms.dot, and rooms.svg by graphviz; without it the former must be
 what would be written, and the latter must have its rooms and arrows.
+
+--links compares the includes with FILE, which CMake writes (kinex_write_links, experiments/packaging/rooms.cmake): the
+library of every room that a file includes is linked by the target of the file, itself or through others, and libraries
+do not link each other in a circle. A header belongs to the library of its room; a room without one (benchmarks) has
+several targets, and its headers are held to each. A hall without sources declares what its rooms define
+(predicates/predicates.h): its rooms may include it.
 """
 import argparse
+import collections
 import html
+import os
 import pathlib
 import re
 import subprocess
@@ -27,18 +35,25 @@ def room_of(path):
     return "/".join(folders[:3 if "/".join(folders[:2]) in DEEP else 2])
 
 
-def include_graph(source):
-    """{room: rooms that its files include}, itself left out."""
-    graph = {}
+def included_rooms(source):
+    """{file: rooms that it includes}, its own left out."""
+    rooms = {}
     for folder in FOLDERS:
-        for file in sorted((source / folder).rglob("*")):
-            if file.suffix not in (".h", ".cpp"):
+        for path in sorted((source / folder).rglob("*")):
+            if path.suffix not in (".h", ".cpp"):
                 continue
-            room = room_of(file.relative_to(source).as_posix())
-            rooms = graph.setdefault(room, set())
-            for included in re.findall(r'(?m)^#include "([^"]+/[^"]+)"', file.read_text()):
-                if (source / included).exists() and room_of(included) != room:
-                    rooms.add(room_of(included))
+            file = path.relative_to(source).as_posix()
+            rooms[file] = {room_of(included)
+                           for included in re.findall(r'(?m)^#include "([^"]+/[^"]+)"', path.read_text())
+                           if (source / included).exists()} - {room_of(file)}
+    return rooms
+
+
+def include_graph(files):
+    """{room: rooms that its files include}."""
+    graph = {}
+    for file, rooms in files.items():
+        graph.setdefault(room_of(file), set()).update(rooms)
     return graph
 
 
@@ -99,16 +114,83 @@ def drawn_in(svg):
     return {" -> ".join(f'"{end}"' for end in html.unescape(title).split("->")) for title in titles}
 
 
+class Target:
+    """A line of kinex_write_links."""
+
+    def __init__(self, line, source):
+        self.name, self.room, folder, sources, links, passed_on = line.split("|")
+        paths = [os.path.relpath(os.path.join(folder, path), source) for path in sources.split(";") if path]
+        self.sources = {pathlib.PurePath(path).as_posix() for path in paths}
+        self.links, self.passed_on = ({re.sub(r"^\$<LINK_ONLY:(.*)>$", r"\1", link) for link in some.split(";") if link}
+                                      for some in (links, passed_on))
+
+
+def linked_by(target, targets):
+    """The names of all targets that it links, itself or through others."""
+    found, left = set(), list(target.links | target.passed_on)
+    while left:
+        name = left.pop()
+        if name in targets and name not in found:
+            found.add(name)
+            left += targets[name].passed_on
+    return found
+
+
+def wrong_links(files, lines, source):
+    """Faults: one sentence for each file that includes a room which its target does not link, and for each circle."""
+    targets = {target.name: target for target in (Target(line, source) for line in lines)}
+    links = {name: linked_by(target, targets) for name, target in targets.items()}
+    library = {target.room: target.name for target in targets.values() if target.room}
+    owners = collections.defaultdict(set)  # of a source, and of a room without a library
+    for target in targets.values():
+        for file in target.sources:
+            owners[file].add(target.name)
+            if room_of(file) not in library:
+                owners[room_of(file)].add(target.name)
+    cycle = find_cycle({name: {other for other in target.links | target.passed_on if other in targets}
+                        for name, target in targets.items()})
+    if cycle:
+        yield "libraries link each other in a circle: " + " -> ".join(cycle)
+    for file, rooms in files.items():
+        own = {library[room_of(file)]} if room_of(file) in library else owners[room_of(file)]
+        for target in sorted(owners.get(file) or own):
+            for room in sorted(rooms):
+                if room not in library:
+                    yield f"{file} includes {room}, which is no library"
+                elif library[room] not in links[target] and not (
+                        target in links[library[room]] and not targets[library[room]].sources):
+                    yield f"{file} includes {room}, which {target} does not link"
+
+
+def check_links():
+    """The check itself, on four rooms: c links b links a, and the hall h has both."""
+    lines = ["a|s/a|/p/s|/p/out/batch.cpp|options|options", "b|s/b|/p/s|/p/out/b.cpp|a|$<LINK_ONLY:a>",
+             "c|s/c|/p/s|/p/out/c.cpp|b|b", "h|s|/p/s||a;b|a;b", "run||/p/s/bench|c.cpp|c|"]
+
+    def faults(files, more=()):
+        return list(wrong_links(files, [*lines, *more], "/p"))
+
+    assert not faults({"s/c/x.h": {"s/a", "s/b"}, "s/b/x.cpp": {"s/a", "s"}, "s/bench/c.cpp": {"s/a", "s/c"}})
+    assert faults({"s/b/x.cpp": {"s/c"}}) == ["s/b/x.cpp includes s/c, which b does not link"]
+    assert faults({"s/bench/c.h": {"s"}}) == ["s/bench/c.h includes s, which run does not link"]
+    assert faults({"s/c/x.h": {"s/bench"}}) == ["s/c/x.h includes s/bench, which is no library"]
+    assert faults({}, ["d|s/d|/p/s|d/d.cpp||e", "e|s/e|/p/s|e/e.cpp|d|"]) == [
+        "libraries link each other in a circle: d -> e -> d"]
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("source", type=pathlib.Path)
     parser.add_argument("--draw", action="store_true")
+    parser.add_argument("--links", type=pathlib.Path)
     options = parser.parse_args()
     assert find_cycle({"a": {"b"}, "b": {"c"}, "c": {"a"}}) == ["a", "b", "c", "a"]
     assert find_cycle({"a": {"b", "c"}, "b": {"c"}}) is None
     assert drawn_in('<g class="node">\n<title>a/b</title></g><g class="edge">\n<title>a/b&#45;&gt;c</title>'
                     ) == {'"a/b"', '"a/b" -> "c"'}
-    graph = include_graph(options.source)
+    check_links()
+    files = included_rooms(options.source)
+    graph = include_graph(files)
     cycle = find_cycle(graph)
     if cycle:
         sys.exit("the rooms include each other in a circle: " + " -> ".join(cycle))
@@ -122,6 +204,13 @@ def main():
     pictured = drawn_in(drawn.with_suffix(".svg").read_text())
     if wanted != pictured:
         sys.exit(f"{PICTURE}.svg is not the graph of today, for {sorted(wanted ^ pictured)}: draw it again with --draw")
+    if options.links:
+        lines = options.links.read_text().splitlines()
+        faults = list(wrong_links(files, lines, options.source.resolve()))
+        if faults:
+            sys.exit("\n".join(faults) + "\nremedy: include another room, or link it in CMakeLists.txt")
+        if len(lines) < len(graph):
+            sys.exit(f"{options.links} has {len(lines)} targets for {len(graph)} rooms: the check does not see them")
     print(f"{len(graph)} rooms, no circle")
 
 

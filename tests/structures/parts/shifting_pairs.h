@@ -17,7 +17,7 @@
 #include "core/engine/structure.h"
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/changing_extremum.h"
-#include "structures/proximity/pair_distances.h"
+#include "structures/parts/pair_distances.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {

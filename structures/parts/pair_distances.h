@@ -4,8 +4,8 @@
 //
 // Ties. Of two pairs with identically equal distances the lexicographically smaller one is in
 // front.
-#ifndef KINEX_STRUCTURES_PROXIMITY_PAIR_DISTANCES_H
-#define KINEX_STRUCTURES_PROXIMITY_PAIR_DISTANCES_H
+#ifndef KINEX_STRUCTURES_PARTS_PAIR_DISTANCES_H
+#define KINEX_STRUCTURES_PARTS_PAIR_DISTANCES_H
 
 #include <array>
 
