@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "structures/extent/static_box_audit.h"
 #include "structures/parts/extremum_bounds.h"
 #include "structures/parts/tournament_proof.h"
 
@@ -73,6 +74,10 @@ void BoundingBox::check_invariants(AuditReport& report) const {
     report.check(box_.empty() ? sides_[i].size() == 0 : box_[i] == sides_[i].winner(),
                  [&] { return "another point is the " + name; });
   }
+}
+
+void BoundingBox::audit(const Snapshot& snapshot, AuditReport& report) const {
+  report.check(static_box(snapshot) == box_, [] { return "other points are extreme"; });
 }
 
 }  // namespace kinex
