@@ -5,10 +5,10 @@ usage: pure_structures.py SOURCE_FOLDER
 
 No file in structures/ reaches through the kernel to an arithmetic, a queue or a motion, and none names a number or
 a time. Exempt are
-- audits (_audit), bounds (_bounds) and key_value, which compute, and, for whole numbers, functions that return a
-  bound: of a name as below, or of BoundChecks;
-- makers (descriptor, registry, family): the parameters of a request are numbers;
-- the plan, which is no structure: it makes the arithmetic for what the structures declare.
+- audits (_audit), which compute from positions;
+- of whole numbers, bounds (_bounds) and functions that return a bound: of a name as below, or of BoundChecks;
+- the words of a file in MAY_NAME: the parameters of a request are rational, and the plan, which is no structure,
+  makes the arithmetic for what the structures declare. An exemption that no longer serves is a fault.
 The geometry of bodies and grids is below the structures, in predicates/. The kernel itself returns no number.
 
 No file outside parts/ creates, replaces or retracts a certificate but through parts/slots.h, which counts it in the
@@ -22,13 +22,23 @@ REACHING = re.compile(r"\b(Arithmetic|EventQueue|Scheduler|SignNow|arithmetic\(\
 # What leads from a kernel to numbers; an audit looks at motions.
 MOTIONS = re.compile(r"\b(Trajectory\b|MotionPiece\b|CoarseTime\b|coarse_now\b|derived\(\)|trajectory\()")
 NUMBERS = re.compile(r"\b(Polynomial|RationalPolynomial|Rational|RealRoot|Ball|MpFloat|double|float"
+                     r"|InstantName|Dyadic\w*|ShortRational"
                      r"|FramePoint|FrameLine|Vertex2|RoughPose|RoughPolygon)\b")
 WHOLE = re.compile(r"\b(Integer|Int128)\b")
 # Kernel::create and retract have no namesakes in structures/; Kernel::replace has.
 CERTIFYING = re.compile(r"(?:\.|->)\s*(create|retract)\s*\(|kernel_?(?:\(\))?\s*(?:\.|->)\s*(replace)\s*\(")
-COMPUTING = re.compile(r"(_audit|_bounds|key_value)\b")
-MAKERS = {"descriptor", "registry", "family"}
-PLAN = {"plan"}
+AUDIT = re.compile(r"_audit$")
+BOUNDS = re.compile(r"_bounds$")
+# File, without its ending: the words that it may name.
+MAY_NAME = {
+    "parts/descriptor": {"Rational"},  # parameters of a request
+    "registry": {"Rational"},
+    "range/family": {"Rational"},
+    "arrangement/family": {"Integer"},
+    "plan": {"Rational", "Arithmetic"},
+    "parts/key_value": {"Rational"},  # exact values of keys, for audits
+    "collision/hierarchy_bounds": {"Rational", "FramePoint", "double"},  # the shapes of the polygons
+}
 # The head of a function that returns a bound, or adds bounds to a list.
 BOUND = re.compile(r"(?:\bBoundCheck>?\s+[\w:]+|\bInteger\s+(?:\w+::)*(?:most_\w+|binomial)"
                    r"|\bvoid\s+(?:\w+::)*add_bounds)\(")
@@ -65,17 +75,23 @@ def without_bounds(text):
     return "".join(kept + [text[at:]])
 
 
-def faults_in(name, text):
+def named_in(name, text):
+    """The number of the line and the word, of all that structures do not name; `name` is the file's in structures/,
+    without its ending."""
     text = NOISE.sub(lambda m: '""' if m[0][0] == '"' else "", text)
-    words = []
-    if name not in PLAN:
-        words.append((REACHING, text))
-    if not COMPUTING.search(name) and name not in MAKERS | PLAN:
-        words += [(MOTIONS, text), (NUMBERS, text), (WHOLE, without_bounds(text))]
+    words = [(REACHING, text)]
+    if not AUDIT.search(name):
+        words += [(MOTIONS, text), (NUMBERS, text)]
+        if not BOUNDS.search(name):
+            words.append((WHOLE, without_bounds(text)))
     for pattern, lines in words:
         for number, line in enumerate(lines.split("\n"), 1):
             for word in pattern.findall(line):
                 yield number, word
+
+
+def faults_in(name, text):
+    return [(number, word) for number, word in named_in(name, text) if word not in MAY_NAME.get(name, ())]
 
 
 def returned_numbers(kernel):
@@ -94,6 +110,12 @@ def check_this():
     assert list(faults_in("list", bounds + "Integer n;")) == [(4, "Integer")]
     assert not list(faults_in("list_audit", "Rational x;"))
     assert list(faults_in("list_audit", "arithmetic();")) == [(1, "arithmetic()")]
+    assert not list(faults_in("list_bounds", "Integer n;"))
+    assert list(faults_in("list_bounds", "double x;")) == [(1, "double")]
+    assert list(faults_in("list", "DyadicPolynomial p;\nInstantName i;\nShortRational r;\nDyadic d;")) == [
+        (1, "DyadicPolynomial"), (2, "InstantName"), (3, "ShortRational"), (4, "Dyadic")]
+    assert list(faults_in("registry", "Rational x;\ndouble y;")) == [(2, "double")]
+    assert list(faults_in("range/registry", "Rational x;")) == [(1, "Rational")]
     assert returned_numbers(" public:\n  int f();\n  auto g() { }\n  const double& h() const;\n"
                             "  void set(Rational x);\n protected:\n  double k();\n") == ["auto", "double"]
 
@@ -115,8 +137,13 @@ def main():
     files = [f for f in sorted(root.rglob("*")) if f.suffix in (".h", ".cpp")]
     if len(files) < 50:
         sys.exit(f"only {len(files)} files in {root}: the check does not see the sources")
+    names = {file: file.relative_to(root).with_suffix("").as_posix() for file in files}
     faults = [f"{file}:{number}: {word}" for file in files
-              for number, word in faults_in(file.stem, file.read_text())]
+              for number, word in faults_in(names[file], file.read_text())]
+    needed = {(names[file], word) for file in files for _, word in named_in(names[file], file.read_text())}
+    for name, word in sorted((name, word) for name, words in MAY_NAME.items() for word in words):
+        if (name, word) not in needed:
+            faults.append(f"structures/{name} may name {word}, and does not: take it from MAY_NAME")
     faults += [f"core/engine/kernel.h: a function returns {word}"
                for word in returned_numbers((source / "core/engine/kernel.h").read_text())]
     if faults:
