@@ -23,11 +23,11 @@ def check_small(checker, end):
     if len(scene.ids) > MOST_OBJECTS:
         checker.undone[5] = "%d objects; it is for at most %d" % (len(scene.ids), MOST_OBJECTS)
         return
-    keys = [checker.key_of(s) if uses_key(s) else None for s in structures]
     followed = [i for i, r in enumerate(checker.replays) if r is not None]
     if not followed:
         checker.undone[5] = "no structure of the log has a replay"
         return
+    keys = {i: checker.key_of(structures[i]) for i in followed}
     world = World(scene)
     history, told, gaps, roots = checker.history, 0, 0, {}
     untouched = set()  # structures whose attribute at a time does not follow from positions, or would take too long
@@ -75,10 +75,6 @@ def check_small(checker, end):
         checker.undone[5] = "not for " + not_judged
     else:
         checker.done[5] = "%d gaps between instants" % gaps + ("; not for " + not_judged if not_judged else "")
-
-
-def uses_key(structure):
-    return structure.name == "sorted_list" or structure.name.startswith(("maximum_", "minimum_"))
 
 
 def shown(scene, attribute):

@@ -6,16 +6,18 @@ from functools import cmp_to_key
 from itertools import combinations
 
 from brute_flush import ORDERS, smallest_flush
+from families import TWO_COLOURS
 from octants import pairs_of_pointers, pairs_of_positions, pointers_of
-from polygons import cones, corners_of, counted, precedes_along, sign_at, units
+from polygons import cones, counted, precedes_along, sign_at, units
 from replay_boxes import boxes
 from replay_calipers import folds_of
 from replay_discs import closest_discs
 from replay_directions import all_directions, half_directions, k_of, opposite
 from replay_norms import MOST_MEMBERS, norm_tree_of
+from replay_octants import corners_of
 from space import cells_of, regular_of
 from static import forest_edges, rotated, spanning_tree
-from subsets import TWO_COLOURS, classes_of, query_of
+from subsets import classes_of, query_of
 
 
 def value_of(key, positions, o):

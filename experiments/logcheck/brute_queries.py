@@ -7,7 +7,7 @@ from itertools import combinations, permutations, product
 from brute_attributes import farthest, hull_of, pairs_of
 from brute_flush import ORDERS, candidates_of
 from octants import AXES
-from polygons import cones, corners_of, counted, turned, units
+from polygons import cones, counted, turned, units
 from polynomials import sign_at
 from replay_boxes import box_order, boxes
 from replay_calipers import folds_of
@@ -15,6 +15,7 @@ from replay_discs import GAP_TERMS, gap_query
 from replay_directions import extent_query, half_directions, k_of, opposite
 from replay_lines import lines_and_points
 from replay_norms import MOST_MEMBERS, norm_queries
+from replay_octants import corners_of
 from subsets import query_of
 
 

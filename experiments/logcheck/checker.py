@@ -11,16 +11,12 @@ from fractions import Fraction
 from instants import check_intervals, read_instants
 from log import Wrong
 from predicates import LEAST_AXES, Key, formula_of, known
-from registry import PARTIAL_HULLS, reads_partial_hull, replay_of
+from registry import is_partial_hull, reads_partial_hull, replay_of
 from roots import Instant, compare
 from scene import BadInput
 from subsets import own_objects
 from world import World
 
-# Structures whose certificates of a predicate fail where they touch zero, too: vertices of a hull that meet
-# and part again leave every turn to the left.
-TOUCHING = {"convex_hull_2_brute_force": "orientation_2", "regular_2": "orientation_2",
-            "regular_3": "orientation_3"}
 # After these, certificates of a structure may be negative since they were made, without passing through zero.
 UNSETTLING = ("blocked", "reinsert", "settled", "rebuild")
 # An instant with one of these is degenerate: its structure may have made such certificates before that, too.
@@ -163,7 +159,7 @@ class Checker:
             self.certificates += 1
             return
         sign = self.world.sign_after(query, x)
-        touch = sign > 0 and (not self.is_followed(r) or r.predicate == TOUCHING.get(r.structure.name))
+        touch = sign > 0 and (replay is None or r.predicate == replay.fails_touching)
         if touch and not self.world.vanishes(query, x):
             raise Wrong("the certificate does not touch zero at the instant: no failure")
         if sign >= 0 and not touch:
@@ -314,7 +310,7 @@ class Checker:
                     self.check_certificate(r, x)
                 if r.kind in UNSETTLING or r.structure.index in degenerate:
                     self.unsettled.add(r.structure.index)
-                if r.external and r.structure.name in PARTIAL_HULLS:  # its vertices come from afar
+                if r.external and is_partial_hull(r.structure.name):  # its vertices come from afar
                     self.unsettled |= {s.index for s in structures if reads_partial_hull(s.options)}
                 if replay is not None:
                     self.check_ids(r)

@@ -4,20 +4,10 @@
 Of a structure that is not known here every further member of its entry counts as a parameter with another value.
 """
 
-from fractions import Fraction
+from families import USUAL
 
-USUAL = {name: {"k": Fraction(4)}
-         for name in ("directions_2", "directions_2_tournament", "diameter_directions", "width_directions",
-                      "min_area_rectangle_directions", "min_perimeter_rectangle_directions")}
-USUAL["calipers_2"] = {"folds": Fraction(2)}
-USUAL["pseudo_kd_tree_2"] = {"delta": Fraction(1, 4)}
-USUAL["cones_local"] = {"corners": Fraction(12)}
-for clusters in ("emst_clusters", "graph_mst_clusters"):
-    USUAL[clusters] = {"cluster": Fraction(0)}
 # Members that are no parameters.
 OTHERS = ("structure", "key", "over", "of", "query", "colours", "as")
-# What is read if "over" does not say otherwise.
-USUALLY_READ = ("convex_hull_2", "octants_local", "cones_local")
 
 
 def unusual(structure, tree, number):

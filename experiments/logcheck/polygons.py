@@ -9,8 +9,6 @@ from fractions import Fraction
 from functools import lru_cache
 from math import gcd, lcm
 
-from parameters import value_of
-
 DOUBLE = {12: ((0, 1), (1, 3), (1, 2)), 20: ((0, 1), (1, 5), (1, 3), (1, 2), (2, 3))}  # tangents of half the angles
 
 
@@ -20,15 +18,6 @@ def turned(u):
 
 def opposite(u):
     return (-u[0], -u[1])
-
-
-def corners_of(structure):
-    """Of cones_local, or of a tree that reads it."""
-    options = structure.options or {}
-    if structure.name != "cones_local":
-        over = options.get("over")
-        options = over if isinstance(over, dict) else {}
-    return int(value_of("cones_local", options, "corners", lambda x: Fraction(str(x))))
 
 
 @lru_cache(maxsize=None)

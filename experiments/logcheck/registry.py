@@ -64,13 +64,13 @@ for extremum in ("maximum_", "minimum_"):
                     extremum + "dual_hull": Maximum})
 
 
-# Hulls of some of the points: what is read off them is not an attribute of all points.
-PARTIAL_HULLS = ("directions_2", "directions_2_tournament")
+def is_partial_hull(name):
+    return name in REPLAYS and REPLAYS[name].partial_hull
 
 
 def reads_partial_hull(options):
     over = (options or {}).get("over")
-    return (over["structure"] if isinstance(over, dict) else over) in PARTIAL_HULLS
+    return is_partial_hull(over["structure"] if isinstance(over, dict) else over)
 
 
 def replay_of(name, options=None):

@@ -117,6 +117,7 @@ class LooksAlong(Along):
 
 
 class Directions(LooksAlong, Hull):
+    partial_hull = True
     bound = ["order_direction"]
 
     def start(self, x):

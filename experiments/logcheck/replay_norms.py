@@ -7,8 +7,9 @@ from functools import cmp_to_key
 from itertools import combinations
 
 from octants import DIFFERENCE, SUM, X, Y, precedes_by
-from polygons import cones, corners_of, counted, opposite, precedes_along, turned, units
+from polygons import cones, counted, opposite, precedes_along, turned, units
 from replay_directions import Along, extent_query
+from replay_octants import corners_of
 from replay_trees import SpanningTree
 from static import spanning_tree
 

@@ -3,10 +3,22 @@
 instant. Every event "point" names a point, the one that was next in a cone of it and the one that is (itself: none),
 and the pairs that left or joined the attribute, if any. Each pointer that differs has one event, and no other has."""
 
+from fractions import Fraction
+
 from octants import AXES, OCTANTS, pairs_of_pointers, pointers_of, precedes_by
-from polygons import all_vectors, cones, corners_of, counted, precedes_along
+from parameters import value_of
+from polygons import all_vectors, cones, counted, precedes_along
 from proof import Proof
 from replay_members import OfMembers
+
+
+def corners_of(structure):
+    """Of cones_local, or of a tree that reads it."""
+    options = structure.options or {}
+    if structure.name != "cones_local":
+        over = options.get("over")
+        options = over if isinstance(over, dict) else {}
+    return int(value_of("cones_local", options, "corners", lambda x: Fraction(str(x))))
 
 
 class Octants(OfMembers):

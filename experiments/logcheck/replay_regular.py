@@ -27,6 +27,7 @@ class Regular(Cells):
 
 
 class RegularInThePlane(Regular):
+    fails_touching = "orientation_2"  # vertices of the hull that meet and part again leave every turn as it was
     CORNERS = 3
     SIZES = {"flip": (4,), "enter": (3,), "leave": (3,), "show": (3, 4), "hide": (3, 4)}
     OTHERS = {"blocked": (3, 4), "witness": (1,), "touch": (3,)}
@@ -34,6 +35,7 @@ class RegularInThePlane(Regular):
 
 
 class RegularInSpace(Regular):
+    fails_touching = "orientation_3"
     CORNERS = 4
     SIZES = {"flip_2_3": (5,), "flip_3_2": (5,), "enter": (4,), "leave": (4,), "hull_2_3": (4,), "hull_3_2": (4,),
              "show": (4, 5), "hide": (4, 5)}

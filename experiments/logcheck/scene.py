@@ -12,7 +12,8 @@ import re
 from fractions import Fraction
 from math import lcm
 
-from parameters import USUALLY_READ, is_known, unusual
+from families import USUALLY_READ
+from parameters import is_known, unusual
 from subsets import sets_of
 
 MOST_EXPONENT = 100000  # of a decimal number

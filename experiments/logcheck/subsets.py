@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The objects that a structure is built from: "of", "query" and "colours" of an entry of "maintain"."""
 
-QUERY = ("nearest_site",)
-OF_LINES = ("line_arrangement_2",)  # of the lines alone, whatever points there are
-TWO_COLOURS = ("bichromatic_pair_delaunay", "bichromatic_pair_all")
+from families import OF_LINES, OF_QUERY
 
 
 def in_order(ids, scene):
@@ -57,7 +55,7 @@ def own_objects(name, options, scene):
         result = with_colours(scene, of["colours"])
     else:
         result = set(range(len(scene.ids))) - {scene.number[name] for name in of["all_but"]}
-    if name in QUERY and result is not None:
+    if name in OF_QUERY and result is not None:
         result.add(query_of(options, scene))
     if name in OF_LINES:
         lines = {i for i, o in enumerate(scene.objects) if o.line}
