@@ -79,14 +79,14 @@ bool DirectionMeanings::any_box(std::string_view predicate, const std::optional<
                                 const std::function<bool(const Predicate&)>& fits) const {
   const std::size_t slash = predicate.find('/'), k = vectors_.size() / 2;
   const bool area = predicate.substr(0, slash) == "order_box_area";
-  std::vector<std::uint8_t> who{0, 1, 2, 3, 4, 5, 6, 7};
+  std::vector<std::uint8_t> named{0, 1, 2, 3, 4, 5, 6, 7};
   if (slash != std::string_view::npos) {
-    for (std::size_t i = 0; i < who.size(); ++i) {
-      who[i] = static_cast<std::uint8_t>(predicate[slash + 1 + i] - '0');
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      named[i] = static_cast<std::uint8_t>(predicate[slash + 1 + i] - '0');
     }
   }
   const auto extent = [&](std::size_t vector, std::size_t first) {
-    const Place &high = (*at)[vector][who[first]], &low = (*at)[vector][who[first + 1]];
+    const Place &high = (*at)[vector][named[first]], &low = (*at)[vector][named[first + 1]];
     return Place{high.value - low.value, high.margin + low.margin};
   };
   const auto size = [&](std::size_t vector, std::size_t first) {
@@ -108,7 +108,7 @@ bool DirectionMeanings::any_box(std::string_view predicate, const std::optional<
         std::shared_ptr<const Predicate> order =
             make_box_order(area ? BoxMeasure::kArea : BoxMeasure::kPerimeter, vectors_[i],
                            vectors_[j], smaller);
-        if (slash != std::string_view::npos) order = make_shared_arguments(std::move(order), who);
+        if (slash != std::string_view::npos) order = make_shared_arguments(std::move(order), named);
         if (fits(*order)) return true;
       }
     }

@@ -8,16 +8,24 @@
 
 namespace kinex::lab {
 
-// Each pair: the size for --quick, the full size.
+// A size is the parameter n of a workload. Of two sizes the first is for --quick, the second for a
+// full run.
 struct TradePlan {
   std::string_view structure;
   int dimension;
-  int uniform[2];          // uniform-square, of degree 1, 2 and 3
-  std::string_view worst;  // the workload that is its worst case
+  // The size of uniform-square, which is run with motions of degree 1, 2 and 3.
+  int uniform[2];
+  // The workload that is the structure's worst case.
+  std::string_view worst;
+  // The size of the workload `worst`, which is run with linear motions.
   int worst_n[2];
+  // The size of grid, which is run with linear motions.
   int grid[2];
-  int near[2];               // near-one-point
-  std::vector<int> bits[2];  // uniform-square: the sizes n at which the bits needed are counted
+  // The size of near-one-point, whose objects all pass within 2^-60 of one point at one instant.
+  int near[2];
+  // The sizes of uniform-square at which `trade` counts the bits that separate consecutive instants,
+  // in motions of degree 1, 2 and 3.
+  std::vector<int> bits[2];
 };
 
 }  // namespace kinex::lab

@@ -95,16 +95,16 @@ class Witness {
 
  private:
   Number x(ObjectId l, ObjectId m) const { return (height_[l] - height_[m]) / (slope_[m] - slope_[l]); }
-  // How far the crossing goes to the right if `who` alone is raised by 1.
-  Number shift(ObjectId who, ObjectId l, ObjectId m) const {
-    const Number rise(static_cast<int>(who == l) - static_cast<int>(who == m));
+  // How far the crossing of l and m goes to the right if the line `raised` alone is raised by 1.
+  Number shift(ObjectId raised, ObjectId l, ObjectId m) const {
+    const Number rise(static_cast<int>(raised == l) - static_cast<int>(raised == m));
     return rise / (slope_[m] - slope_[l]);
   }
   bool goes_first(ObjectId l, ObjectId m, ObjectId k) const {
     std::array<ObjectId, 3> three{l, m, k};
     std::sort(three.begin(), three.end());
-    for (const ObjectId who : three) {
-      const Number first = shift(who, l, m), second = shift(who, l, k);
+    for (const ObjectId raised : three) {
+      const Number first = shift(raised, l, m), second = shift(raised, l, k);
       if (first != second) return first < second;
     }
     return m < k;

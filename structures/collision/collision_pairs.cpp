@@ -306,14 +306,14 @@ void CollisionPairs::check_invariants(AuditReport& report) const {
   for (PairId p = 0; p < pairs_.size(); ++p) {
     const BodyPair& pair = pairs_[p];
     if (!pair.in_use()) continue;
-    const auto who = [&](const char* what) {
+    const auto fault = [&](const char* what) {
       return [&, what] { return what + pairs_.name(p, 0) + " and " + pairs_.name(p, 1); };
     };
     report.check(alive_[pair.a] != 0 && alive_[pair.b] != 0,
-                 who("a pair of bodies that are not there: "));
+                 fault("a pair of bodies that are not there: "));
     report.check(pair.certificates > 0 || (pair.state == State::kUnproved && !kernel_.is_exact()),
-                 who("a pair without a proof: "));
-    report.check(pairs_.check_tags(p), who("a certificate with a wrong tag: "));
+                 fault("a pair without a proof: "));
+    report.check(pairs_.check_tags(p), fault("a certificate with a wrong tag: "));
   }
 }
 

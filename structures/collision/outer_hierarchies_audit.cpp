@@ -75,10 +75,10 @@ bool holds(const Polygon& outer, const Polygon& inner) {
   return true;
 }
 
-void audit_tree(const OuterHierarchy& tree, const Polygon& polygon, const std::string& who,
+void audit_tree(const OuterHierarchy& tree, const Polygon& polygon, const std::string& name,
                 AuditReport& report) {
-  const auto bad = [&who](const char* what) {
-    return [&who, what] { return what + (" the hierarchy of " + who); };
+  const auto bad = [&name](const char* what) {
+    return [&name, what] { return what + (" the hierarchy of " + name); };
   };
   Polygon outer = stage_of(tree, 0);
   const CGAL::Gmpq box = (polygon.right_vertex()->x() - polygon.left_vertex()->x()) *
@@ -114,8 +114,8 @@ void OuterHierarchies::audit(const Snapshot&, AuditReport& report) const {
     const SceneObject& body = scene_.objects[id];
     const Polygon polygon = polygon_of(body);
     for (std::size_t i = 0; i < kPolicies.size(); ++i) {
-      const std::string who = body.id + ", " + std::string(cut_policy_name(kPolicies[i]));
-      audit_tree(*trees(id)[i], polygon, who, report);
+      const std::string name = body.id + ", " + std::string(cut_policy_name(kPolicies[i]));
+      audit_tree(*trees(id)[i], polygon, name, report);
     }
   }
 }

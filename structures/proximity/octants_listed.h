@@ -3,8 +3,9 @@
 // sorted lists.
 //
 // Certificates: the order of the points by x, y, x + y and x - y (turned_order.h), n - 1 each, of
-// degree d for motions of degree d. The lists alone say which point is next in which cone: two
-// neighbours of a list that change places change the two woods by the swap rule (schnyder_wood.h).
+// degree d for motions of degree d. The lists alone say which point is next in which octant. The
+// pointers to the next points are kept as two Schnyder woods (schnyder_wood.h): when two neighbours
+// of a list change places, the woods made from its order change by the swap rule.
 //
 // Quality, for n points: a point is in at most 8 certificates; a failure renews 3 and costs O(1) for
 // each pointer that changes. At most 4d C(n, 2) failures without flight-plan changes. Most of them

@@ -32,7 +32,8 @@ PredicateId bind_order_along(Kernel& kernel, const std::array<int, 2>& direction
 
 class TurnedOrder {
  public:
-  // The product of the direction with (2, 1) is positive.
+  // Requires a direction (u, v) with 2 u + v > 0: equal points are in the order of their ids, as if
+  // moved by their ids along (2, 1).
   TurnedOrder(Kernel& kernel, const std::array<int, 2>& direction);
 
   // By the second key if the two are identically level by the first.

@@ -68,7 +68,7 @@ void Delaunay2::set_certificate(HalfEdge h) {
   note_outlook(h, outlook);
 }
 
-// Between its neighbours on the line that all three share for ever.
+// That a vertex of the hull is between its two neighbours, where all three are identically collinear.
 Query Delaunay2::straight_query_of(HalfEdge h) const {
   Query query = query_of(h);
   query.predicate = obtuse_;

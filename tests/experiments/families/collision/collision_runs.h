@@ -162,14 +162,14 @@ inline void expect_meetings(const Trial& trial, const Scene& scene, const BodyCo
   auto seen = contacts_of(trial, kind);
   EXPECT_EQ(seen.size(), expected.size());
   for (const auto& [pair, witnesses] : expected) {
-    const std::string who = scene.objects[pair.first].id + " and " + scene.objects[pair.second].id;
+    const std::string bodies = scene.objects[pair.first].id + " and " + scene.objects[pair.second].id;
     std::vector<SeenContact>& mine = seen[pair];
-    ASSERT_EQ(mine.size(), witnesses.size()) << who;
+    ASSERT_EQ(mine.size(), witnesses.size()) << bodies;
     for (std::size_t i = 0; i < mine.size(); ++i) {
       families::BodyContact witness = witnesses[i];
-      EXPECT_EQ(compare(mine[i].instant, witness.instant, counters), 0) << who;
+      EXPECT_EQ(compare(mine[i].instant, witness.instant, counters), 0) << bodies;
       EXPECT_TRUE(are_met(mine[i], witness, scene.objects[pair.first], scene.objects[pair.second]))
-          << who << ": " << mine[i].of_a << " " << mine[i].of_b;
+          << bodies << ": " << mine[i].of_a << " " << mine[i].of_b;
     }
   }
 }
