@@ -12,7 +12,7 @@ DelaunayTree::DelaunayTree(Kernel& kernel, StructureId id, const DelaunayGraph& 
     : kernel_(&kernel),
       name_(name),
       triangulation_(triangulation),
-      lengths_(kernel, triangulation.dimension()),
+      lengths_(kernel, triangulation.dimension(), triangulation.objects()),
       events_(kernel, id, triangulation.id()),
       engine_(make_tree_engine(method, kernel, id, lengths_, events_, triangulation.objects())) {}
 
@@ -56,7 +56,7 @@ void DelaunayTree::begin() {
 
 void DelaunayTree::rebuild() {
   engine_->build({});
-  while (!lengths_.items().empty()) lengths_.remove(lengths_.items().begin()->second);
+  for (const auto& [edge, item] : lengths_.items()) lengths_.remove(item);
   begin();
 }
 

@@ -9,62 +9,12 @@
 
 namespace kinex {
 
-// ---- records
-
-std::uint32_t TreeByCycles::list(Item item, Place place) {
-  places_[item].push_back(place);
-  return static_cast<std::uint32_t>(places_[item].size() - 1);
-}
-
-// The last of the list comes to its place.
-void TreeByCycles::unlist(Item item, std::uint32_t at) {
-  std::vector<Place>& places = places_[item];
-  Record& last = records_[places.back()];
-  (last.inside == item ? last.at_inside : last.at_outside) = at;
-  places[at] = places.back();
-  places.pop_back();
-}
-
-void TreeByCycles::add_record(Item inside, Item outside) {
-  Place place;
-  if (free_.empty()) {
-    place = static_cast<Place>(records_.size());
-    records_.emplace_back();
-  } else {
-    place = free_.back();
-    free_.pop_back();
-  }
-  records_[place] = {inside, outside, kNoCertificate, list(inside, place), list(outside, place)};
-  certify(place);
-}
-
-void TreeByCycles::certify(Place place) {
-  Record& record = records_[place];
-  const Query claim = edges_->claim(record.inside, record.outside);
-  const Outlook outlook = slots_.set(record.certificate, claim, place);
-  if (outlook == Outlook::kIdenticallyZero) tied_.push_back(place);
-  if (outlook == Outlook::kFailsNow) failing_.push_back(place);
-}
-
-void TreeByCycles::drop_record(Place place) {
-  Record& record = records_[place];
-  slots_.drop(record.certificate);
-  unlist(record.inside, record.at_inside);
-  unlist(record.outside, record.at_outside);
-  record = {};
-  free_.push_back(place);
-}
-
-void TreeByCycles::drop_records(Item item) {
-  while (!places_[item].empty()) drop_record(places_[item].back());
-}
-
 // Proves that an edge outside the tree, which has no records, is the longest of its cycle.
 void TreeByCycles::prove(Item outside) {
   const auto [u, v] = edges_->ends(outside);
   std::vector<Item> path = forest_.path(u, v);
   std::sort(path.begin(), path.end());
-  for (const Item inside : path) add_record(inside, outside);
+  for (const Item inside : path) records_.add(inside, outside, outside);
 }
 
 // ---- the tree
@@ -74,11 +24,11 @@ void TreeByCycles::prove(Item outside) {
 // `after` and what was its path.
 std::vector<Item> TreeByCycles::replace(Item before, Item after) {
   std::vector<Item> crossing, cycle{after};
-  for (const Place place : places_[before]) crossing.push_back(records_[place].outside);
-  for (const Place place : places_[after]) cycle.push_back(records_[place].inside);
+  for (const Place place : records_.uses(before)) crossing.push_back(records_[place].outside);
+  for (const Place place : records_.cycle(after)) cycle.push_back(records_[place].inside);
   std::sort(crossing.begin(), crossing.end());
   std::sort(cycle.begin(), cycle.end());
-  drop_records(after);
+  records_.drop_cycle(after);
   take_out(before);
   put_in(after);
   for (const Item item : cycle) marks_[item] = kOnCycle;
@@ -98,7 +48,7 @@ std::vector<Item> TreeByCycles::replace(Item before, Item after) {
 // A record of an edge that left the path becomes that of one that came.
 void TreeByCycles::exchange_along(std::span<const Item> cycle, Item outside) {
   gone_.clear();
-  for (const Place place : places_[outside]) {
+  for (const Place place : records_.cycle(outside)) {
     Mark& mark = marks_[records_[place].inside];
     if (mark == kNotOnCycle) continue;
     mark = kOnCycleAndPath;
@@ -109,29 +59,24 @@ void TreeByCycles::exchange_along(std::span<const Item> cycle, Item outside) {
     if (marks_[inside] == kOnCycleAndPath) {
       marks_[inside] = kOnCycle;
     } else if (used < gone_.size()) {
-      const Place place = gone_[used++];
-      Record& record = records_[place];
-      unlist(record.inside, record.at_inside);
-      record.inside = inside;
-      record.at_inside = list(inside, place);
-      certify(place);
+      records_.change(gone_[used++], inside, outside);
     } else {
-      add_record(inside, outside);
+      records_.add(inside, outside, outside);
     }
   }
-  for (; used < gone_.size(); ++used) drop_record(gone_[used]);
+  for (; used < gone_.size(); ++used) records_.drop(gone_[used]);
 }
 
 void TreeByCycles::swap(Item before, Item after) {
   for (const Item inside : replace(before, after)) {
-    if (inside != before) add_record(inside, before);
+    if (inside != before) records_.add(inside, before, before);
   }
 }
 
 // The shortest edge that crosses the cut of a tree edge right after now; kNoItem: there is none.
 Item TreeByCycles::replacement_of(Item item) const {
   Item best = kNoItem;
-  for (const Place place : places_[item]) {
+  for (const Place place : records_.uses(item)) {
     const Item outside = records_[place].outside;
     if (best == kNoItem || in_front(*kernel_, order(), outside, best)) best = outside;
   }
@@ -142,13 +87,8 @@ Item TreeByCycles::replacement_of(Item item) const {
 
 // In Kruskal's order no swap is needed.
 void TreeByCycles::build(std::vector<Item> items) {
-  for (Place place = 0; place < records_.size(); ++place) slots_.drop(records_[place].certificate);
   records_.clear();
-  free_.clear();
-  places_.clear();
   marks_.clear();
-  tied_.clear();
-  failing_.clear();
   clear();
   merge_sort(items, [this](Item a, Item b) { return in_front(*kernel_, order(), a, b); });
   for (const Item item : items) add(item);
@@ -157,10 +97,8 @@ void TreeByCycles::build(std::vector<Item> items) {
 
 void TreeByCycles::add(Item item) {
   enter(item);
-  if (places_.size() <= item) {
-    places_.resize(item + std::size_t{1});
-    marks_.resize(places_.size(), kNotOnCycle);
-  }
+  records_.make_room(item + std::size_t{1});
+  if (marks_.size() <= item) marks_.resize(item + std::size_t{1}, kNotOnCycle);
   const auto [u, v] = edges_->ends(item);
   if (forest_.connected(u, v)) {
     prove(item);
@@ -178,26 +116,25 @@ void TreeByCycles::remove(Item item) {
       replace(item, other);
     }
   }
-  drop_records(item);
+  records_.drop_cycle(item);
   leave(item);
 }
 
 void TreeByCycles::finish(Change change) {
   settle_ties();
   if (change == Change::kSized) settle_failures();
-  failing_.clear();  // they fail next
+  records_.forget_failing();  // they fail next
 }
 
 // ---- ties and failures
 
 // Of level edges the one that goes first is in the tree.
 void TreeByCycles::settle_ties() {
-  for (std::uint64_t steps = 0; !tied_.empty(); ++steps) {
+  for (std::uint64_t steps = 0;; ++steps) {
     if (!may_go_on(steps)) return;
-    const Record record = records_[tied_.back()];
-    tied_.pop_back();
-    if (!slots_.is_tie(record.certificate)) continue;
-    if (edges_->goes_first(record.inside, record.outside)) continue;
+    const auto place = records_.next_tie();
+    if (!place) return;
+    const Record record = records_[*place];
     swap(record.inside, record.outside);
     events_->tied(ids(record.inside), ids(record.outside));
     kernel_->settle_later(id_);
@@ -206,49 +143,34 @@ void TreeByCycles::settle_ties() {
 
 // While points come and go nothing may be left to fail.
 void TreeByCycles::settle_failures() {
-  for (std::uint64_t steps = 0; !failing_.empty(); ++steps) {
+  for (std::uint64_t steps = 0;; ++steps) {
     if (!may_go_on(steps)) return;
-    const Record record = records_[failing_.back()];
-    failing_.pop_back();
-    if (record.certificate == kNoCertificate) continue;
-    if (kernel_->outlook(record.certificate) != Outlook::kFailsNow) continue;
+    const auto place = records_.next_failing();
+    if (!place) return;
+    const Record record = records_[*place];
     swap(record.inside, record.outside);
     settle_ties();
   }
 }
 
 void TreeByCycles::certificate_failed(CertificateId failed) {
-  const Record record = records_[slots_.failed(failed)];
+  const Record record = records_[records_.failed(failed)];
   swap(record.inside, record.outside);
-  failing_.clear();  // they fail next
+  records_.forget_failing();  // they fail next
   events_->repaired(ids(record.inside), ids(record.outside));
   settle_ties();
 }
 
 void TreeByCycles::motions_changed(std::span<const ObjectId> objects) {
-  for (const ObjectId object : objects) {
-    for (const CertificateId c : kernel_->certificates_of(object)) {
-      if (slots_.is_tie(c) && slots_.owns(c)) tied_.push_back(kernel_->tag(c));
-    }
-  }
+  records_.note_ties(objects);
   settle_ties();
-  failing_.clear();
+  records_.forget_failing();
 }
 
 void TreeByCycles::renew(std::span<const Item> items) {
-  for (const Item item : items) {
-    for (const Place place : places_[item]) {
-      const Record& record = records_[place];
-      const Query claim = edges_->claim(record.inside, record.outside);
-      if (!slots_.holds(record.certificate, claim, place)) {
-        certify(place);
-      } else if (slots_.is_tie(record.certificate)) {
-        tied_.push_back(place);
-      }
-    }
-  }
+  records_.renew(items);
   settle_ties();
-  failing_.clear();  // they fail next
+  records_.forget_failing();  // they fail next
 }
 
 // ---- checks
@@ -257,10 +179,10 @@ void TreeByCycles::visit_proof(ProofVisitor& visitor) const {
   ProofGroup group;
   group.kind = "edge outside the tree";
   for (const Item item : present()) {
-    if (in_tree(item) || places_[item].empty()) continue;
+    if (in_tree(item) || records_.cycle(item).empty()) continue;
     group.about = about(std::array{item});
     visitor.group(group);
-    for (const Place place : places_[item]) {
+    for (const Place place : records_.cycle(item)) {
       visitor.certificate(records_[place].certificate, "longer than an edge of its path");
     }
   }
@@ -287,28 +209,21 @@ void TreeByCycles::check(AuditReport& report) const {
       continue;
     }
     std::vector<Item> proved;
-    for (const Place place : places_[item]) {
-      const Record& record = records_[place];
-      proved.push_back(record.inside);
-      report.check(record.outside == item && in_tree(record.inside) &&
-                       slots_.holds(record.certificate, edges_->claim(record.inside, item), place),
-                   [] { return "a certificate of something else"; });
-      report.check(!slots_.is_tie(record.certificate) || edges_->goes_first(record.inside, item),
-                   [] { return "a tie in the wrong order"; });
+    for (const Place place : records_.cycle(item)) {
+      proved.push_back(records_[place].inside);
+      report.check(records_[place].outside == item && in_tree(records_[place].inside),
+                   [] { return "a cycle of something else"; });
     }
+    records_.check(item, report);
     std::sort(path.begin(), path.end());
     std::sort(proved.begin(), proved.end());
     report.check(path == proved, [] { return "a cycle is not proved"; });
   }
-  report.check(slots_.line().live == records_.size() - free_.size(),
-               [] { return "a record without an edge"; });
+  records_.check_all(report);
 }
 
 std::size_t TreeByCycles::bytes() const {
-  std::size_t total = base_bytes() + records_.capacity() * sizeof(Record) + marks_.capacity() +
-                      places_.capacity() * sizeof(std::vector<Place>);
-  for (const auto& places : places_) total += places.capacity() * sizeof(Place);
-  return total;
+  return base_bytes() + records_.bytes() + marks_.capacity();
 }
 
 }  // namespace kinex

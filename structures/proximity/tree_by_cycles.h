@@ -28,7 +28,7 @@
 #include <string_view>
 #include <vector>
 
-#include "structures/parts/slots.h"
+#include "structures/proximity/cycle_records.h"
 #include "structures/proximity/tree_engine.h"
 
 namespace kinex {
@@ -37,14 +37,14 @@ class TreeByCycles final : public TreeEngine {
  public:
   TreeByCycles(Kernel& kernel, StructureId id, const TreeEdges& edges, TreeEvents& events,
                std::size_t vertices)
-      : TreeEngine(kernel, id, edges, events, vertices), slots_(kernel, id, "cycles") {}
+      : TreeEngine(kernel, id, edges, events, vertices), records_(kernel, id, edges) {}
 
   std::string_view inside_kind() const override { return "exchange"; }
   void build(std::vector<Item> items) override;
   void add(Item item) override;
   void remove(Item item) override;
   void finish(Change change) override;
-  bool owns(CertificateId certificate) const override { return slots_.owns(certificate); }
+  bool owns(CertificateId certificate) const override { return records_.owns(certificate); }
   void certificate_failed(CertificateId failed) override;
   void motions_changed(std::span<const ObjectId> objects) override;
   void renew(std::span<const Item> items) override;
@@ -57,39 +57,23 @@ class TreeByCycles final : public TreeEngine {
   std::size_t bytes() const override;
 
  private:
-  using Place = std::uint32_t;  // of a record; the tag of its certificate
-
-  struct Record {  // `inside`, an edge of the tree, is on the path between the ends of `outside`
-    Item inside = kNoItem, outside = kNoItem;
-    CertificateId certificate = kNoCertificate;
-    std::uint32_t at_inside = 0, at_outside = 0;  // its places in the lists of the two
-  };
+  using Place = CycleRecords::Place;
+  using Record = CycleRecords::Record;
 
   EdgeOrder order() const { return EdgeOrder(*edges_); }
   std::vector<Item> replace(Item before, Item after);
   void swap(Item before, Item after);
   void exchange_along(std::span<const Item> cycle, Item outside);
   void prove(Item outside);
-  std::uint32_t list(Item item, Place place);
-  void unlist(Item item, std::uint32_t at);
-  void add_record(Item inside, Item outside);
-  void certify(Place place);
-  void drop_record(Place place);
-  void drop_records(Item item);
   Item replacement_of(Item item) const;
   void settle_ties();
   void settle_failures();
 
-  Slots slots_;
-  std::vector<std::vector<Place>> places_;  // by item: the records that name it
+  // (inside, outside): `inside`, an edge of the tree, is on the path between the ends of `outside`.
+  CycleRecords records_;
   enum Mark : std::uint8_t { kNotOnCycle, kOnCycle, kOnCycleAndPath };
   std::vector<Mark> marks_;  // by item, between exchanges kNotOnCycle
   std::vector<Place> gone_;  // of exchange_along
-  std::vector<Record> records_;
-  std::vector<Place> free_;
-  // Records whose certificates were identically zero, or negative right after now, when they were
-  // made. They may have changed since.
-  std::vector<Place> tied_, failing_;
 };
 
 }  // namespace kinex

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "structures/parts/claim.h"
 
@@ -27,6 +28,19 @@ class TreeEdges {
   // Its vertices, numbers from 0.
   virtual std::array<std::uint32_t, 2> ends(Item edge) const = 0;
   virtual EdgeIds ids(Item edge) const = 0;
+};
+
+// An edge, as one of its vertices sees it.
+struct EdgeAt {
+  std::uint32_t vertex;  // its other end
+  Item edge;
+};
+
+// Edges that are known by vertex, at most one between two vertices.
+class AdjacentEdges : public TreeEdges {
+ public:
+  // The edges at a vertex, ascending by their other ends. Valid until an edge comes or goes.
+  virtual std::span<const EdgeAt> at(std::uint32_t vertex) const = 0;
 };
 
 // The claims of a part about edges (structures/parts/claim.h): the shorter edge is in front. Their

@@ -7,6 +7,7 @@
 #include "structures/proximity/tree_by_cycles.h"
 #include "structures/proximity/tree_by_forests.h"
 #include "structures/proximity/tree_by_list.h"
+#include "structures/proximity/tree_by_short_cycles.h"
 
 namespace kinex {
 
@@ -21,20 +22,28 @@ void TreeEngine::leave(Item item) {
   --size_;
 }
 
-void TreeEngine::put_in(Item item) {
-  const auto [u, v] = edges_->ends(item);
+void TreeEngine::count_in(Item item) {
   state_[item] = State::kInside;
   ++inside_;
-  forest_.link(item, u, v);
   events_->came(ids(item));
+}
+
+void TreeEngine::count_out(Item item) {
+  state_[item] = State::kOutside;
+  --inside_;
+  events_->gone(ids(item));
+}
+
+void TreeEngine::put_in(Item item) {
+  const auto [u, v] = edges_->ends(item);
+  count_in(item);
+  forest_.link(item, u, v);
 }
 
 void TreeEngine::take_out(Item item) {
   const auto [u, v] = edges_->ends(item);
-  state_[item] = State::kOutside;
-  --inside_;
+  count_out(item);
   forest_.cut(item, u, v);
-  events_->gone(ids(item));
 }
 
 // No edge is left; nothing is reported.
@@ -86,6 +95,9 @@ std::unique_ptr<TreeEngine> make_tree_engine(const TreeMethod& method, Kernel& k
       return std::make_unique<TreeByList>(kernel, id, edges, events, vertices);
     case TreeProof::kCycles:
       return std::make_unique<TreeByCycles>(kernel, id, edges, events, vertices);
+    case TreeProof::kShortCycles:
+      return std::make_unique<TreeByShortCycles>(kernel, id, dynamic_cast<const AdjacentEdges&>(edges),
+                                                 events, vertices);
     case TreeProof::kClusters:
       return std::make_unique<TreeByClusters>(kernel, id, edges, events, vertices, method.cluster);
     default:

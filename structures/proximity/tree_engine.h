@@ -3,7 +3,7 @@
 //
 // The owner adds and removes edges and calls finish(); failures are repaired by the engine. It
 // holds the forest and reports through TreeEvents; tree_by_list.h, tree_by_cycles.h,
-// tree_by_clusters.h and tree_by_forests.h say how the forest is proved to be minimal.
+// tree_by_short_cycles.h, tree_by_clusters.h and tree_by_forests.h say how the forest is proved to be minimal.
 #ifndef KINEX_STRUCTURES_PROXIMITY_TREE_ENGINE_H
 #define KINEX_STRUCTURES_PROXIMITY_TREE_ENGINE_H
 
@@ -80,6 +80,9 @@ class TreeEngine {
   void leave(Item item);
   void put_in(Item item);
   void take_out(Item item);
+  // The same without the forest: for engines that change it later.
+  void count_in(Item item);
+  void count_out(Item item);
   void clear();
   EdgeIds ids(Item item) const { return edges_->ids(item); }
   // The ids of some edges, each once.
@@ -107,14 +110,14 @@ class TreeEngine {
 };
 
 // How a spanning tree is proved.
-enum class TreeProof { kList, kCycles, kClusters, kForests };
+enum class TreeProof { kList, kCycles, kShortCycles, kClusters, kForests };
 // The engine, and what it takes besides.
 struct TreeMethod {
   TreeProof proof;
   std::size_t cluster = 0;  // of TreeByClusters: the size of a cluster
   std::size_t items = 0;    // of TreeByForests: numbers of edges are below
 };
-// With the arguments of TreeEngine.
+// With the arguments of TreeEngine. Of kShortCycles the edges must be AdjacentEdges: else std::bad_cast.
 std::unique_ptr<TreeEngine> make_tree_engine(const TreeMethod& method, Kernel& kernel, StructureId id,
                                              const TreeEdges& edges, TreeEvents& events,
                                              std::size_t vertices);

@@ -25,7 +25,7 @@ namespace kinex {
 // The kinds of events of all structures of this form, by rank.
 enum TreeEventKind : std::uint8_t {
   kTreeSwap,    // external: the edge that is gone, the edge that came
-  kTreeInside,  // internal: a failure was repaired; the two edges, "order" or "exchange"
+  kTreeInside,  // internal: a failure was repaired; the two edges, "order" or "cycle", for example
   kTreeTie,     // the same, because two lengths have become identically equal
 };
 

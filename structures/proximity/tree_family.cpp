@@ -21,6 +21,10 @@ KindRule inside_rule(TreeProof proof) {
     case TreeProof::kCycles:
       return {"exchange", Effect::kNever,
               "an edge takes the place of another, at an instant that is not over"};
+    case TreeProof::kShortCycles:
+      return {"cycle", Effect::kNever,
+              "two edges of a cycle change their order, or an edge takes the place of another at an "
+              "instant that is not over"};
     case TreeProof::kForests:
       return {"forest", Effect::kNever,
               "an edge takes the place of another in a forest of some edges"};
@@ -111,10 +115,11 @@ std::vector<StructureInfo> euclidean_trees() {
               TreeProof::kList, make_delaunay_tree<TreeProof::kList>},
           TreeTexts{
               "emst_cycles",
-              "the Euclidean minimum spanning tree, every edge outside it against those of its cycle",
+              "the Euclidean minimum spanning tree, every edge outside it the longest of a cycle",
               "at most (2n - 5)(n - 1), in space C(n - 1, 2)(n - 1): every Delaunay edge outside the "
-              "tree is the longest of its cycle; those of delaunay_2 or delaunay_3 besides",
-              TreeProof::kCycles, make_delaunay_tree<TreeProof::kCycles>},
+              "tree is the longest of a cycle, mostly of a triangle; those of delaunay_2 or "
+              "delaunay_3 besides",
+              TreeProof::kShortCycles, make_delaunay_tree<TreeProof::kShortCycles>},
           TreeTexts{
               "emst_clusters",
               "the Euclidean minimum spanning tree, by tournaments of groups of Delaunay edges between "

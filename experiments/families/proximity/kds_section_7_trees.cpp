@@ -3,8 +3,8 @@
 //   two proofs of them have for each change? (Guibas 1998, section 7.)
 // Scenes: random motion; pass-along-row, where a tree changes 2nm - 2 times; parallel-edges, where the
 //   tree of a graph of two vertices changes n - 1 times; random graphs of n edges and n/4 vertices.
-// Expected: the integers, in every run; one event for each change where all edges are watched along
-//   their cycles, but for the flips of the triangulation. Bounds on all motions, O(n^3) and O(n^(5/2)
+// Expected: the integers, in every run; one event for each change where all edges of a graph are watched
+//   along their paths in the tree. Bounds on all motions, O(n^3) and O(n^(5/2)
 //   alpha(n)) of points, O(n k^(1/3)) of graphs with n edges and k vertices, which runs can only
 //   contradict.
 // Left out: clusters of edges and sparsification (the report's structure for planar graphs), for which

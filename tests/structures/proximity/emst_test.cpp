@@ -108,7 +108,8 @@ TEST(Emst, ReferenceCounts) {
     const TreeRun run(scene);
     EXPECT_EQ(run.ledger(0).external, swaps[i]);
     EXPECT_EQ(run.ledger(1).external, swaps[i]);
-    EXPECT_EQ(run.ledger(1).failures, swaps[i]);  // no failure is in vain
+    EXPECT_GE(run.ledger(1).failures, swaps[i]);
+    EXPECT_LT(run.ledger(1).failures, run.ledger(0).failures);
     if (scenes[i].first <= 8) {
       EXPECT_EQ(run.sink.log.lines, TreeRun(scene, "sturm").sink.log.lines);
     }

@@ -59,7 +59,8 @@ TEST(ProximityInSpace, ReferenceCounts) {
     EXPECT_EQ(run.ledger(0).external, row.pairs);
     EXPECT_EQ(run.ledger(1).external, row.swaps);
     EXPECT_EQ(run.ledger(2).external, row.swaps);
-    EXPECT_EQ(run.ledger(2).failures, row.swaps);  // no failure is in vain
+    EXPECT_GE(run.ledger(2).failures, row.swaps);
+    EXPECT_LT(run.ledger(2).failures, run.ledger(1).failures);
   }
 }
 

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// TreeByShortCycles: the minimum spanning forest of a changing graph; every edge outside it is the
+// longest edge of some cycle of the graph.
+//
+// By the cycle property an edge that is the longest of a cycle is in no minimum spanning forest. The
+// other edges of that cycle need not be in the tree, so the cycle may be as short as the graph allows:
+//
+//         b ---- c        f = ad is outside the tree. Its path abcd in the tree is a proof with three
+//        /   .    \       certificates. The triangle acd is one with two:
+//       a - - f - - d     f >= ac, f >= cd
+//
+// Certificates. The edges of a cycle are compared in a tree with the longest one, the owner, at its top:
+// one certificate for every other edge, "it is at most as long as the one above it".
+//
+//         f                 ac fails against f, and is longer from now on:       ac
+//        / \                one certificate is reversed; cd stays below f        |
+//      ac   cd                                                                   f
+//                                                                                |
+//                                                                                cd
+//
+// Why it is right. Lengths, and TreeEdges::goes_first where they are identically equal, are a total
+// order of the edges, so the minimum spanning forest is unique, and every edge outside the tree is
+// outside it. The tree spans the graph, so it is this forest.
+//
+// Repairs. Right after a failure edge e is longer than the one above it.
+//   Below the top: e is compared with the next one above from now on. The failure is internal.
+//   Against the owner f, where e is an edge of the tree, on the path between the ends of f: f takes the
+//     place of e. The cycle belongs to e now. All other cycles stay what they are.
+//   Otherwise f is proved anew: by a triangle; or by its cycle with the rest of the cycle of e in
+//     place of e, since all edges of that are shorter than e; or by its path in the tree. If the cycle of
+//     f was the shorter one, e gets it. The failure is internal.
+// If no other certificate fails at the instant, an edge e of the tree is on the path: the path is the sum
+// (modulo 2) of the paths of the edges of the cycle, and of the others none contains e, since all
+// of their edges are shorter than e.
+//
+// An edge that comes is proved by a triangle, by its path, or is in the tree. An edge that leaves the
+// graph leaves its cycles: their owners are proved anew, as after a failure. If it is in the tree the
+// shortest edge across its cut takes its place first. It is in the cycle of that edge, which crosses the
+// cut an even number of times: every other edge across the cut is longer.
+//
+// Cost, for n vertices and m edges: at most (m - n + 1)(n - 1) certificates; on the Delaunay
+// triangulations of 1000 or 4000 random points 6n or 7n (max live of `kinex run`, uniform-square), since
+// most edges outside the tree are the longest of a triangle. A failure below the top renews one
+// certificate, and so does a change of the tree; a cycle that is made anew, those of its edges that
+// were not below its owner before. The tree's paths are read where cycles grow long, and where several
+// certificates fail at one instant: only then is the link-cut forest brought up to date.
+//
+// Source: the cycle property: Tarjan, Data structures and network algorithms (1983), chapter 6: his red
+// rule. Cycles that outlive changes of the tree are worked out here.
+#ifndef KINEX_STRUCTURES_PROXIMITY_TREE_BY_SHORT_CYCLES_H
+#define KINEX_STRUCTURES_PROXIMITY_TREE_BY_SHORT_CYCLES_H
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "structures/proximity/cycle_records.h"
+#include "structures/proximity/late_links.h"
+#include "structures/proximity/tree_engine.h"
+
+namespace kinex {
+
+class TreeByShortCycles final : public TreeEngine {
+ public:
+  TreeByShortCycles(Kernel& kernel, StructureId id, const AdjacentEdges& edges, TreeEvents& events,
+                    std::size_t vertices)
+      : TreeEngine(kernel, id, edges, events, vertices),
+        adjacent_(&edges),
+        records_(kernel, id, edges) {}
+
+  std::string_view inside_kind() const override { return "cycle"; }
+  void build(std::vector<Item> items) override;
+  void add(Item item) override;
+  void remove(Item item) override;
+  void finish(Change change) override;
+  bool owns(CertificateId certificate) const override { return records_.owns(certificate); }
+  void certificate_failed(CertificateId failed) override;
+  void motions_changed(std::span<const ObjectId> objects) override;
+  void renew(std::span<const Item> items) override;
+  void visit_proof(ProofVisitor& visitor) const override;
+  Integer most_certificates(std::size_t edges, std::size_t vertices) const override;
+  std::string_view why_most() const override {
+    return "the edges outside the tree, each the longest of a cycle of at most n edges";
+  }
+  void check(AuditReport& report) const override;
+  std::size_t bytes() const override;
+
+ private:
+  using Place = CycleRecords::Place;
+  using Record = CycleRecords::Record;
+  static constexpr Place kNoPlace = 0xffffffffu;
+  static constexpr std::size_t kLongest = 40;  // edges of a cycle that is made of two, less one
+  static constexpr std::size_t kFar = 400;     // vertices that a search reaches
+  static constexpr std::size_t kFew = 12;      // edges that are searched one by one
+
+  EdgeOrder order() const { return EdgeOrder(*edges_); }
+  bool is_shorter(Item a, Item b) const { return in_front(*kernel_, order(), a, b); }
+  LinkCutForest& forest();
+  bool is_on_path(Item item, Item outside);
+  void enter_graph(Item item);
+  // ---- cycles: cycle_ becomes the other edges of a cycle of `outside`
+  bool find_triangle(Item outside, Item longer);
+  void find_short(Item outside);
+  void walk_back(std::uint32_t vertex, Item outside);
+  bool join_cycles(Item outside, Item gone, bool is_sure);
+  void make_simple(Item outside);
+  Item next_of_walk(std::uint32_t vertex) const;
+  void make_shorter(Item outside, Item gone);
+  void find_path(Item outside);
+  void find_cycle_without(Item outside, Item gone, bool is_sure);
+  Item edge_between(std::uint32_t u, std::uint32_t v) const;
+  // ---- records
+  void prove(Item outside, Place stale);
+  void hand_over(Item after, Item before);
+  // ---- the tree
+  void put_in_late(Item item);
+  void take_out_late(Item item);
+  void swap(Item before, Item after);
+  void repair(Place place, bool is_alone);
+  Item replacement_of(Item item);
+  void settle_ties();
+  void settle_failures();
+
+  const AdjacentEdges* adjacent_;
+  // (inside, outside, owner): `outside` is above `inside` in the cycle of `owner`.
+  CycleRecords records_;
+  LateLinks late_;
+  std::vector<std::uint8_t> marks_;  // by item, between calls 0
+  // Scratch.
+  std::vector<Item> cycle_, walk_, owners_;
+  struct Reached {
+    Item by = kNoItem;  // the edge by which a search came
+    std::uint32_t root = 0;
+  };
+  std::vector<Reached> reached_;  // by vertex, between calls not reached
+  std::vector<std::uint32_t> passed_;
+  std::vector<EdgeAt> at_;
+  std::vector<Place> own_;
+};
+
+}  // namespace kinex
+
+#endif
