@@ -48,7 +48,8 @@ void TreeByShortCycles::swap(Item before, Item after) {
   hand_over(after, before);
 }
 
-// The inside of a record is longer than its outside now. `is_alone`: all other records hold.
+// The inside of a record is longer than its outside now. `is_alone`: no other claim fails at the
+// instant, and the edges are those before it.
 void TreeByShortCycles::repair(Place place, bool is_alone) {
   const Record record = records_[place];
   const Item before = record.inside, after = record.outside;
@@ -119,6 +120,7 @@ void TreeByShortCycles::enter_graph(Item item) {
 }
 
 void TreeByShortCycles::add(Item item) {
+  last_change_ = kernel_->instant_number();
   enter_graph(item);
   if (!find_triangle(item, kNoItem)) {
     const auto [u, v] = edges_->ends(item);
@@ -129,6 +131,7 @@ void TreeByShortCycles::add(Item item) {
 }
 
 void TreeByShortCycles::remove(Item item) {
+  last_change_ = kernel_->instant_number();
   if (in_tree(item)) {
     const Item other = replacement_of(item);
     if (other == kNoItem) {
@@ -183,7 +186,9 @@ void TreeByShortCycles::settle_failures() {
 void TreeByShortCycles::certificate_failed(CertificateId failed) {
   const Place place = records_.failed(failed);
   const Record record = records_[place];
-  repair(place, kernel_->is_exact() && kernel_->instant_is_over(id_));
+  const bool is_alone = kernel_->is_exact() && kernel_->instant_is_over(id_) &&
+                        last_change_ != kernel_->instant_number();
+  repair(place, is_alone);
   records_.forget_failing();  // they fail next
   events_->repaired(ids(record.inside), ids(record.outside));
   settle_ties();

@@ -29,9 +29,15 @@
 //   Otherwise f is proved anew: by a triangle; or by its cycle with the rest of the cycle of e in
 //     place of e, since all edges of that are shorter than e; or by its path in the tree. If the cycle of
 //     f was the shorter one, e gets it. The failure is internal.
-// If no other certificate fails at the instant, an edge e of the tree is on the path: the path is the sum
-// (modulo 2) of the paths of the edges of the cycle, and of the others none contains e, since all
-// of their edges are shorter than e.
+// If no other claim fails at the instant, and no edge has come or left at it, an edge e of the tree is on
+// the path: the path is the sum (modulo 2) of the paths of the edges of the cycle, and of the others none
+// contains e, since all of their edges are shorter than e. Otherwise the forest tells.
+//
+// Where several certificates fail at one instant some cycles are those of the order before it, others of
+// the order after it. So two edges may be in the cycles of each other. Whatever fails, the tree spans
+// the graph, and every edge outside it has a cycle of the graph: when nothing fails any more the tree is the
+// minimum spanning forest. That comes to pass: a repair makes the tree shorter, or an edge has fewer
+// edges in its cycle that are longer than it is.
 //
 // An edge that comes is proved by a triangle, by its path, or is in the tree. An edge that leaves the
 // graph leaves its cycles: their owners are proved anew, as after a failure. If it is in the tree the
@@ -127,6 +133,7 @@ class TreeByShortCycles final : public TreeEngine {
   CycleRecords records_;
   LateLinks late_;
   std::vector<std::uint8_t> marks_;  // by item, between calls 0
+  std::uint64_t last_change_ = 0;    // the number of the instant at which an edge last came or left
   // Scratch.
   std::vector<Item> cycle_, walk_, owners_;
   struct Reached {

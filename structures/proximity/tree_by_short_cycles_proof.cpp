@@ -176,7 +176,8 @@ void TreeByShortCycles::find_path(Item outside) {
 }
 
 // cycle_ becomes the cycle of `outside`. Its records stay, but for `stale`, where the edges of both
-// sides do; the others say that an edge is at most as long as the owner.
+// sides do; the others say that an edge is at most as long as the owner. The old cycle may have been
+// exchanged for one that contains `outside`.
 void TreeByShortCycles::prove(Item outside, Place stale) {
   enum : std::uint8_t { kNone, kWanted, kProved };
   const std::span<const Place> old = records_.cycle(outside);
@@ -192,7 +193,8 @@ void TreeByShortCycles::prove(Item outside, Place stale) {
   };
   sort_out([&](Place place) {
     const Record& record = records_[place];
-    const bool stays = place != stale && marks_[record.inside] != kNone && marks_[record.outside] != kNone;
+    const bool stays =
+        place != stale && marks_[record.inside] == kWanted && marks_[record.outside] != kNone;
     if (stays) marks_[record.inside] = kProved;
     return stays;
   });

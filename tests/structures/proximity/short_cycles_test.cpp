@@ -92,6 +92,19 @@ void on_lattices(std::uint64_t seeds) {
 
 TEST(ShortCycles, TinyLattices) { on_lattices(kSanitized ? 20 : 300); }
 
+// Instants at which several lengths become equal, so that each of two edges is in the cycle of the other:
+// that of one was made before the instant, that of the other at it. When they exchange their cycles,
+// no edge may be in its own.
+TEST(ShortCycles, TwoEdgesInEachOthersCycles) {
+  const std::pair<std::uint64_t, int> scenes[] = {{20101, 5}, {21363, 6}, {22192, 5}, {20603, 9},
+                                                  {20750, 8}, {21073, 8}, {21571, 9}};
+  for (const auto& [seed, n] : scenes) {
+    SCOPED_TRACE(seed);
+    const Pair run(lattice_scene(seed, n, 2));
+    EXPECT_GT(run.cycles().internal, 0u);
+  }
+}
+
 TEST(SlowShortCycles, TinyLattices) { on_lattices(3000); }
 
 // Points come, go, jump and change their motions.
