@@ -23,8 +23,7 @@ KindRule inside_rule(TreeProof proof) {
               "an edge takes the place of another, at an instant that is not over"};
     case TreeProof::kShortCycles:
       return {"cycle", Effect::kNever,
-              "two edges of a cycle change their order, or an edge takes the place of another at an "
-              "instant that is not over"};
+              "a proof by a cycle changes, or the tree does at an instant that is not over"};
     case TreeProof::kForests:
       return {"forest", Effect::kNever,
               "an edge takes the place of another in a forest of some edges"};
