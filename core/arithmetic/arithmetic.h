@@ -6,6 +6,7 @@
 #ifndef KINEX_CORE_ARITHMETIC_ARITHMETIC_H
 #define KINEX_CORE_ARITHMETIC_ARITHMETIC_H
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -125,14 +126,22 @@ class Arithmetic {
     static_cast<void>(from);
     return look_ahead(query, limit, time);
   }
-  // Announces the next queries, at most kMostInGroup. True: the arithmetic computes failure times
-  // together, and each query is passed to look_ahead_in_group() once, in this order and with the same
-  // limit; motions and now do not change meanwhile. Answers and counters are those of separate calls:
-  // of failure() if there is no limit, else of look_ahead(). False: they have to be called.
+  // Announces the next queries, at least one and at most kMostInGroup; motions and now do not change until
+  // they are answered. Answers and counters are those of separate calls: of failure() if there is no limit,
+  // else of look_ahead().
   static constexpr std::size_t kMostInGroup = 4;
-  virtual bool begin_group(std::span<const Query> group, double limit) {
-    static_cast<void>(group), static_cast<void>(limit);
-    return false;
+  enum class Grouped : std::uint8_t {
+    kNot,       // they have to be called
+    kPrepared,  // each is passed to look_ahead_in_group() once, in this order and with the same limit
+    kAnswered,  // all are answered, in `answers`
+  };
+  struct GroupAnswers {
+    std::array<Outlook, kMostInGroup> outlooks;
+    std::array<FailureTime, kMostInGroup> times;
+  };
+  virtual Grouped begin_group(std::span<const Query> group, double limit, GroupAnswers& answers) {
+    static_cast<void>(group), static_cast<void>(limit), static_cast<void>(answers);
+    return Grouped::kNot;
   }
   // `query` is the i-th of the group.
   virtual Outlook look_ahead_in_group(std::size_t i, const Query& query, double limit,

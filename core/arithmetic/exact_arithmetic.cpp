@@ -58,6 +58,7 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
                     !model.touches;
     model.differs_in_balls =
         model.degree == numbers.degree && !model.touches && p.shifts(numbers.degree);
+    model.differs_in_lanes = model.degree >= 1 && model.degree <= filter::kMaxDifferenceDegree;
   }
   touches_ = touches_ || model.touches;
   models_.push_back(model);
@@ -120,7 +121,7 @@ void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
   if (motions_.degree() != before) {
     for (std::size_t i = 0; i < models_.size(); ++i) {
       models_[i].fixed = models_[i].narrow = models_[i].linear = models_[i].in_lanes = false;
-      models_[i].differs = models_[i].differs_in_balls = false;
+      models_[i].differs = models_[i].differs_in_balls = models_[i].differs_in_lanes = false;
       models_[i].degree = predicates_[i]->degree(motions_.degree());
     }
   }

@@ -16,8 +16,10 @@
 //              Failure times of differences of coordinates are found in one function
 //              (exact_arithmetic_difference.cpp).
 //              Groups of queries (begin_group): the polynomials and the first step of the filter
-//              are computed for all of them side by side (exact_arithmetic_group.cpp); every result
-//              is bit for bit that of a single query.
+//              are computed for all of them side by side (exact_arithmetic_group.cpp), and those of
+//              differences of coordinates up to their failure times
+//              (exact_arithmetic_difference_group.cpp); every result is bit for bit that of a single
+//              query.
 //   kWide    As kDouble, but the coefficients, in t, are computed exactly in 128-bit integers.
 //   kExact   Integers of any size, isolating intervals, gcds.
 #ifndef KINEX_CORE_ARITHMETIC_EXACT_ARITHMETIC_H
@@ -34,6 +36,7 @@
 #include "core/arithmetic/root_namer.h"
 #include "core/arithmetic/root_table.h"
 #include "core/arithmetic/touch.h"
+#include "core/numbers/difference_lanes.h"
 #include "core/numbers/first_root_lanes.h"
 #include "core/numbers/lanes.h"
 
@@ -73,7 +76,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   Outlook failure(const Query& query, FailureTime& time) override;
   Outlook look_ahead(const Query& query, double limit, FailureTime& time) override;
   Outlook look_further(const Query& query, double from, double limit, FailureTime& time) override;
-  bool begin_group(std::span<const Query> group, double limit) override;
+  Grouped begin_group(std::span<const Query> group, double limit, GroupAnswers& answers) override;
   Outlook look_ahead_in_group(std::size_t i, const Query& query, double limit,
                               FailureTime& time) override;
   int compare(const Query& a, FailureTime& ta, const Query& b, FailureTime& tb) override;
@@ -131,6 +134,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     int difference_axis = -1;          // of a CoordinateDifference; -1: it is none
     // A CoordinateDifference that exact_arithmetic_difference.cpp answers: of small integers, of others.
     bool differs = false, differs_in_balls = false;
+    bool differs_in_lanes = false;  // groups of its queries are answered in lanes
   };
 
   // The queries of begin_group, one per lane. A query is known if the filter's first step answers
@@ -142,6 +146,11 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     std::array<double, kLanes> horizon, node_end;
     Lanes c[filter::kMaxLaneDegree + 1], m[filter::kMaxLaneDegree + 1];
     filter::LaneNodes nodes;
+  };
+  // A group of differences of coordinates (exact_arithmetic_difference_group.cpp).
+  struct DifferenceGroup {
+    filter::DifferenceSpan span;
+    filter::DifferenceLanes lanes;
   };
 
   // True if the polynomial is made from machine integers, in arrays of fixed size.
@@ -231,19 +240,27 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   void shrink(FailureTime& time);
   void merge(FailureTime& a, FailureTime& b);
   bool fits_lanes(std::span<const Query> group) const;
+  enum class DifferenceKind : std::uint8_t { kNarrow, kBalls, kOther };
+  DifferenceKind kind_of_differences(std::span<const Query> group) const;
+  bool relate_differences(std::span<const Query> group);
+  bool set_nodes(std::span<const Query> group, double limit);
+  template <class Row>
+  void find_differences(std::span<const Query> group, const Row& row_of);
+  Grouped answer_differences(std::span<const Query> group, double limit, GroupAnswers& answers);
   bool set_horizons(std::span<const Query> group, double limit, Lanes& lengths);
   RootCounters& tally() { return root_counters_; }
   void update_counters();
   PredicateCounters& count(const Query& q) { return counters_.by_predicate[q.predicate]; }
-  void count_solved(int degree) {
+  void count_solved(int degree, std::uint64_t queries = 1) {
     if (static_cast<std::size_t>(degree) >= counters_.polynomials_solved.size()) {
       counters_.polynomials_solved.resize(static_cast<std::size_t>(degree) + 1);
     }
-    ++counters_.polynomials_solved[static_cast<std::size_t>(degree)];
+    counters_.polynomials_solved[static_cast<std::size_t>(degree)] += queries;
   }
 
   Vectors vectors_ = best_vectors();
   Group group_;
+  DifferenceGroup differences_;
   int solved_degree_ = -1;  // of the last polynomial; -1: zero
   MotionStore motions_;
   LinearSigns linear_signs_;

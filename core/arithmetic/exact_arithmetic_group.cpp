@@ -78,17 +78,21 @@ bool ExactArithmetic::set_horizons(std::span<const Query> group, double limit, L
   return true;
 }
 
-bool ExactArithmetic::begin_group(std::span<const Query> group, double limit) {
+Arithmetic::Grouped ExactArithmetic::begin_group(std::span<const Query> group, double limit,
+                                                 GroupAnswers& answers) {
   Group& g = group_;
   g.known = 0;
-  if (!fits_lanes(group)) return false;
+  if (models_[group[0].predicate].difference_axis >= 0) {
+    return answer_differences(group, limit, answers);
+  }
+  if (!fits_lanes(group)) return Grouped::kNot;
   filter::LaneSpan span;
   span.lo = now_.lo - origin_;
   span.hi = now_.hi - origin_;
   span.width = now_.hi - now_.lo;
   constexpr double kFarthest = filter::kLeastTimeLimit;
-  if (!(std::fabs(span.lo) <= kFarthest && std::fabs(span.hi) <= kFarthest)) return false;
-  if (!set_horizons(group, limit, span.length)) return false;
+  if (!(std::fabs(span.lo) <= kFarthest && std::fabs(span.hi) <= kFarthest)) return Grouped::kNot;
+  if (!set_horizons(group, limit, span.length)) return Grouped::kNot;
   const Query& first = group[0];
   const PredicateModel& model = models_[first.predicate];
   std::array<MotionView<double>, kMaxArity * kLanes> points;
@@ -101,7 +105,7 @@ bool ExactArithmetic::begin_group(std::span<const Query> group, double limit) {
   Lanes reach[kMaxFixedDegree + 1];
   const int d = motions_.degree();
   if (!predicates_[first.predicate]->plain_lanes(d, points.data(), origin_, vectors_, g.c, reach)) {
-    return false;
+    return Grouped::kNot;
   }
   const Magnitudes magnitudes{g.c, reach, d, model.homogeneity, model.degree, model.reach_error};
   if (vectors_ == Vectors::kAvx2) {
@@ -117,7 +121,7 @@ bool ExactArithmetic::begin_group(std::span<const Query> group, double limit) {
   for (std::size_t j = 0; j < group.size(); ++j) {
     if (g.nodes.positive[j] && relation_to_now(group[j]) == 0) g.known |= 1u << j;
   }
-  return true;
+  return Grouped::kPrepared;
 }
 
 Outlook ExactArithmetic::look_ahead_in_group(std::size_t i, const Query& query, double limit,

@@ -59,7 +59,7 @@ void ExactArithmetic::advance(const Query& query, FailureTime& time) {
   now_.lo = time.lo;
   now_.hi = time.hi;
   now_.query = query;
-  now_.sum_of_ids = sum_of_ids(query);
+  now_.sum_of_ids = query.arity == 2 ? query.ids[0] + query.ids[1] : sum_of_ids(query);
   now_.own = (time.root & kBornFailing) == 0;
   now_.isolated = (time.root & kFlags) == 0;
   now_.root = time.root & ~kFlags;

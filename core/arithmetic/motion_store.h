@@ -63,6 +63,8 @@ class MotionStore {
   std::optional<double> shared_anchor(const ObjectId* ids, std::size_t count) const {
     return anchors_differ_ ? anchor_of(ids, count) : first_anchor_;
   }
+  // That is the same for any objects.
+  bool has_one_anchor() const { return !anchors_differ_; }
   // The exact polynomial of `predicate` over these objects, times a positive constant.
   Polynomial exact(const Predicate& predicate, const ObjectId* ids) const;
   std::size_t bytes() const;

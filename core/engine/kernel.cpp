@@ -255,7 +255,8 @@ Outlook Kernel::replace(CertificateId id, const Query& query, std::uint32_t tag)
 
 void Kernel::replace(Group& group) {
   const double limit = limit_of(queue_.certificate(group.ids[0]).structure, 0);
-  const bool grouped = arithmetic_->begin_group({group.queries.data(), group.size}, limit);
+  const Arithmetic::Grouped grouped =
+      arithmetic_->begin_group({group.queries.data(), group.size}, limit, answers_);
   const bool counted = count_together(group);
   for (std::size_t i = 0; i < group.size; ++i) {
     const CertificateId id = group.ids[i];
@@ -267,11 +268,23 @@ void Kernel::replace(Group& group) {
     exchange(id, query, group.tags[i]);
     poll();
     queue_.certificate(id).looks = 0;
-    FailureTime time;
-    const Outlook outlook = grouped ? arithmetic_->look_ahead_in_group(i, query, limit, time)
-                            : limit < kInfinity ? arithmetic_->look_ahead(query, limit, time)
-                                                : arithmetic_->failure(query, time);
-    group.outlooks[i] = enqueue(id, outlook, time);
+    Outlook& outlook = group.outlooks[i];
+    FailureTime& time = answers_.times[i];
+    switch (grouped) {
+      case Arithmetic::Grouped::kAnswered:
+        outlook = answers_.outlooks[i];
+        break;
+      case Arithmetic::Grouped::kPrepared:
+        time = FailureTime();
+        outlook = arithmetic_->look_ahead_in_group(i, query, limit, time);
+        break;
+      case Arithmetic::Grouped::kNot:
+        time = FailureTime();
+        outlook = limit < kInfinity ? arithmetic_->look_ahead(query, limit, time)
+                                    : arithmetic_->failure(query, time);
+        break;
+    }
+    outlook = enqueue(id, outlook, time);
   }
 }
 
@@ -300,8 +313,9 @@ void Kernel::report(StructureId structure, std::uint8_t kind, std::initializer_l
   } else {
     event_.certificate = Query();
   }
-  event_.gone = gone;
-  event_.came = came;
+  // They are empty, mostly and now.
+  if (!gone.empty()) event_.gone = gone;
+  if (!came.empty()) event_.came = came;
   if (reporter_ != nullptr) reporter_->reported(event_);
   event_.gone = event_.came = {};
 }

@@ -336,6 +336,7 @@ class Kernel {
   std::size_t objects_;  // derived ones included
   DerivedObjects derived_;
   std::vector<ObjectId> objects_of_query_;
+  Arithmetic::GroupAnswers answers_;  // of replace(): kept, since a new one would be filled with zeros
   EventReporter* reporter_ = nullptr;
   std::uint64_t instant_number_ = 0;
   Event event_;

@@ -22,6 +22,20 @@ unsigned places_missing(const ObjectId* from, const ObjectId* in) {
   return static_cast<unsigned>(bits[0] | bits[1] | bits[2] | bits[3]);
 }
 
+// Three certificates of two objects as they change when two neighbours a and b of a list change places:
+//
+//     a b,  z a,  b y    become    b a,  z b,  a y
+//
+// Each object is in as many as before.
+bool exchanges_neighbours(const StoredQuery* const* before, const Query* after) {
+  const ObjectId a = before[0]->ids[0], b = before[0]->ids[1];
+  const ObjectId differ = (after[0].ids[0] ^ b) | (after[0].ids[1] ^ a) |
+                          (before[1]->ids[0] ^ after[1].ids[0]) | (before[1]->ids[1] ^ a) |
+                          (after[1].ids[1] ^ b) | (before[2]->ids[0] ^ b) | (after[2].ids[0] ^ a) |
+                          (before[2]->ids[1] ^ after[2].ids[1]);
+  return differ == 0;
+}
+
 }  // namespace
 
 std::span<const ObjectId> Kernel::objects_of(const Query& query) {
@@ -123,11 +137,15 @@ bool Kernel::count_together(const Group& group) {
 template <std::size_t kArguments>
 bool Kernel::count_together(const Group& group, StructureId structure) {
   bool fit = true;
+  std::array<const StoredQuery*, Group::kMost> stored;
   for (std::size_t i = 0; i < group.size; ++i) {
     const Certificate& c = queue_.certificate(group.ids[i]);
+    stored[i] = &c.stored;
     const Query& query = group.queries[i];
+    const bool repeats =
+        kArguments == 2 ? query.ids[0] == query.ids[1] : repeats_an_object(query);
     fit = fit & c.live & (c.structure == structure) & (c.stored.arity == kArguments) &
-          (query.arity == kArguments) & !repeats_an_object(query);
+          (query.arity == kArguments) & !repeats;
     for (std::size_t k = 0; k < i; ++k) fit = fit & (group.ids[k] != group.ids[i]);
   }
   if (!fit) return false;
@@ -136,11 +154,13 @@ bool Kernel::count_together(const Group& group, StructureId structure) {
   const auto come = [&](ObjectId object) {
     if (++live[object] > ledger.max_per_object) [[unlikely]] note_or_defer(structure, object);
   };
-  if constexpr (kArguments == 2) {  // those that leave before those that come: most do both
+  if (kArguments == 2 && group.size == 3 &&
+      exchanges_neighbours(stored.data(), group.queries.data())) {
+    // No count changes.
+  } else if constexpr (kArguments == 2) {  // those that leave before those that come: most do both
     for (std::size_t i = 0; i < group.size; ++i) {
-      const StoredQuery& before = queue_.certificate(group.ids[i]).stored;
-      --live[before.ids[0]];
-      --live[before.ids[1]];
+      --live[stored[i]->ids[0]];
+      --live[stored[i]->ids[1]];
     }
     for (std::size_t i = 0; i < group.size; ++i) {
       come(group.queries[i].ids[0]);
@@ -148,7 +168,7 @@ bool Kernel::count_together(const Group& group, StructureId structure) {
     }
   } else {
     for (std::size_t i = 0; i < group.size; ++i) {
-      const ObjectId* const before = queue_.certificate(group.ids[i]).stored.ids.data();
+      const ObjectId* const before = stored[i]->ids.data();
       const ObjectId* const after = group.queries[i].ids.data();
       for (unsigned gone = places_missing(before, after); gone != 0; gone &= gone - 1) {
         --live[before[std::countr_zero(gone)]];

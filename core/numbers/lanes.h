@@ -14,6 +14,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 // Lanes are never passed between functions that are compiled for different machines: all functions
 // on them are inlined.
 #if defined(__GNUC__) && !defined(__clang__)
@@ -43,6 +47,10 @@ struct LaneMask {
   [[gnu::always_inline]] friend LaneMask operator&(const LaneMask& a, const LaneMask& b) {
     return {a.v & b.v};
   }
+  [[gnu::always_inline]] friend LaneMask operator|(const LaneMask& a, const LaneMask& b) {
+    return {a.v | b.v};
+  }
+  [[gnu::always_inline]] friend LaneMask operator~(const LaneMask& a) { return {~a.v}; }
 };
 
 struct Lanes {
@@ -62,8 +70,12 @@ struct Lanes {
   [[gnu::always_inline]] friend Lanes operator-(const Lanes& a, const Lanes& b) {
     return Lanes(a.v - b.v);
   }
+  [[gnu::always_inline]] friend Lanes operator-(const Lanes& a) { return Lanes(-a.v); }
   [[gnu::always_inline]] friend Lanes operator*(const Lanes& a, const Lanes& b) {
     return Lanes(a.v * b.v);
+  }
+  [[gnu::always_inline]] friend Lanes operator/(const Lanes& a, const Lanes& b) {
+    return Lanes(a.v / b.v);
   }
   [[gnu::always_inline]] Lanes& operator+=(const Lanes& b) {
     v += b.v;
@@ -75,6 +87,12 @@ struct Lanes {
   }
   [[gnu::always_inline]] friend LaneMask operator>(const Lanes& a, const Lanes& b) {
     return {(LaneMask::Vector)(a.v > b.v)};
+  }
+  [[gnu::always_inline]] friend LaneMask operator<(const Lanes& a, const Lanes& b) {
+    return {(LaneMask::Vector)(a.v < b.v)};
+  }
+  [[gnu::always_inline]] friend LaneMask operator==(const Lanes& a, const Lanes& b) {
+    return {(LaneMask::Vector)(a.v == b.v)};
   }
   [[gnu::always_inline]] friend LaneMask operator>=(const Lanes& a, const Lanes& b) {
     return {(LaneMask::Vector)(a.v >= b.v)};
@@ -98,14 +116,42 @@ inline double magnitude_of(double a) { return __builtin_fabs(a); }
 }
 inline double larger(double a, double b) { return b > a ? b : a; }
 
-// Transposes four rows of four numbers: out[k] = (a[k], b[k], c[k], d[k]). No alignment is needed.
-[[gnu::always_inline]] inline void transpose(const double* a, const double* b, const double* c,
-                                             const double* d, Lanes* out) {
-  Lanes::Vector rows[kLanes];
-  __builtin_memcpy(&rows[0], a, sizeof(Lanes));
-  __builtin_memcpy(&rows[1], b, sizeof(Lanes));
-  __builtin_memcpy(&rows[2], c, sizeof(Lanes));
-  __builtin_memcpy(&rows[3], d, sizeof(Lanes));
+// a where `mask` is chosen, else b.
+[[gnu::always_inline]] inline Lanes choose(const LaneMask& mask, const Lanes& a, const Lanes& b) {
+  return Lanes(mask.v ? a.v : b.v);
+}
+
+// Bit j: lane j is chosen.
+[[gnu::always_inline]] inline std::uint32_t bits_of(const LaneMask& mask) {
+#if defined(__SSE2__)
+  const auto low = _mm_movemask_pd((__m128d)__builtin_shufflevector(mask.v, mask.v, 0, 1));
+  const auto high = _mm_movemask_pd((__m128d)__builtin_shufflevector(mask.v, mask.v, 2, 3));
+  return static_cast<std::uint32_t>(low | high << 2);
+#else
+  return (mask[0] ? 1u : 0u) | (mask[1] ? 2u : 0u) | (mask[2] ? 4u : 0u) | (mask[3] ? 8u : 0u);
+#endif
+}
+// The lanes of such bits.
+[[gnu::always_inline]] inline LaneMask mask_of(std::uint32_t bits) {
+  const auto all = static_cast<std::int64_t>(bits);
+  const LaneMask::Vector place{1, 2, 4, 8};
+  return {(LaneMask::Vector)((LaneMask::Vector{all, all, all, all} & place) == place)};
+}
+
+[[gnu::always_inline]] inline Lanes square_root_of(const Lanes& a) {
+#if defined(__SSE2__)
+  typedef double Half __attribute__((vector_size(16)));
+  const auto low = (Half)_mm_sqrt_pd((__m128d)__builtin_shufflevector(a.v, a.v, 0, 1));
+  const auto high = (Half)_mm_sqrt_pd((__m128d)__builtin_shufflevector(a.v, a.v, 2, 3));
+  return Lanes(__builtin_shufflevector(low, high, 0, 1, 2, 3));
+#else
+  return Lanes(__builtin_sqrt(a.v[0]), __builtin_sqrt(a.v[1]), __builtin_sqrt(a.v[2]),
+               __builtin_sqrt(a.v[3]));
+#endif
+}
+
+// Transposes four rows of four numbers: out[k][j] = rows[j][k].
+[[gnu::always_inline]] inline void transpose(const Lanes::Vector* rows, Lanes* out) {
   const Lanes::Vector ab02 = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6);
   const Lanes::Vector ab13 = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
   const Lanes::Vector cd02 = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6);
@@ -114,6 +160,17 @@ inline double larger(double a, double b) { return b > a ? b : a; }
   out[1] = Lanes(__builtin_shufflevector(ab13, cd13, 0, 1, 4, 5));
   out[2] = Lanes(__builtin_shufflevector(ab02, cd02, 2, 3, 6, 7));
   out[3] = Lanes(__builtin_shufflevector(ab13, cd13, 2, 3, 6, 7));
+}
+
+// The same of rows in memory: out[k] = (a[k], b[k], c[k], d[k]). No alignment is needed.
+[[gnu::always_inline]] inline void transpose(const double* a, const double* b, const double* c,
+                                             const double* d, Lanes* out) {
+  Lanes::Vector rows[kLanes];
+  __builtin_memcpy(&rows[0], a, sizeof(Lanes));
+  __builtin_memcpy(&rows[1], b, sizeof(Lanes));
+  __builtin_memcpy(&rows[2], c, sizeof(Lanes));
+  __builtin_memcpy(&rows[3], d, sizeof(Lanes));
+  transpose(rows, out);
 }
 
 }  // namespace kinex

@@ -11,9 +11,8 @@
 #include <random>
 #include <vector>
 
-#include "core/arithmetic/coordinate_difference.h"
 #include "core/arithmetic/exact_arithmetic.h"
-#include "tests/core/arithmetic/certificate_fixture.h"
+#include "tests/core/arithmetic/difference_fixture.h"
 
 namespace kinex {
 namespace exact_difference_test {
@@ -21,52 +20,6 @@ namespace exact_difference_test {
 using namespace test;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-class Difference final : public FormulaPredicate<Order>, public CoordinateDifference {
- public:
-  int difference_axis() const override { return 0; }
-};
-
-enum class Numbers { kDegenerate, kRandom, kExtreme, kWide, kDoubles, kMixed };
-
-// Of few bits, so that roots coincide, are double, or are now; of up to 60; or 53 at very different sizes.
-Rational draw(std::mt19937_64& random, Numbers numbers) {
-  const auto bits = [&](unsigned n) {
-    return Rational(Integer(static_cast<std::int64_t>(random() >> (64 - n)) - (std::int64_t{1} << (n - 1))));
-  };
-  switch (numbers) {
-    case Numbers::kDegenerate: return bits(3);
-    case Numbers::kRandom: return bits(20);
-    case Numbers::kExtreme: return bits(random() % 3 == 0 ? 44 : 8);
-    case Numbers::kDoubles: {
-      const Rational size(Integer::power_of_two(random() % 90));
-      return bits(54) * size / Rational(Integer::power_of_two(80));
-    }
-    case Numbers::kMixed: return random() % 2 == 0 ? bits(60) : bits(3);
-    default: return bits(60);
-  }
-}
-
-Scene draw_scene(std::mt19937_64& random, Numbers numbers, int degree) {
-  constexpr int kObjects = 6;
-  std::vector<std::vector<Coefficients>> coordinates;
-  for (int i = 0; i < kObjects; ++i) {
-    Coefficients c;
-    for (int k = 0; k <= degree; ++k) c.push_back(draw(random, numbers));
-    coordinates.push_back({c});
-  }
-  if (random() % 2 == 0) coordinates[1][0][static_cast<std::size_t>(degree)] = coordinates[0][0].back();
-  if (random() % 4 == 0) coordinates[3] = coordinates[2];
-  // Differences below the rounding of their terms.
-  if (random() % 2 == 0) {
-    coordinates[5] = coordinates[2];
-    for (Rational& c : coordinates[5][0]) c += Rational(static_cast<int>(random() % 3) - 1);
-  }
-  Scene scene = make_scene(coordinates, Rational(static_cast<int>(random() % 5) - 2) / Rational(3));
-  scene.end = Rational(6);
-  if (random() % 3 == 0) scene.objects[4].motion.pieces[0].to = Rational(2);
-  return scene;
-}
 
 // A failure beyond the horizon may be told, or not.
 Outlook up_to(double horizon, Outlook outlook, const FailureTime& time) {
@@ -120,8 +73,8 @@ class ExactDifference : public ::testing::TestWithParam<int> {};
 TEST_P(ExactDifference, IsTheFormula) {
   std::mt19937_64 random(static_cast<std::uint64_t>(GetParam()));
   Seen seen;
-  for (int round = 0; round < 360; ++round) {
-    const auto numbers = static_cast<Numbers>(round % 6);
+  for (int round = 0; round < 420; ++round) {
+    const auto numbers = static_cast<Numbers>(round % kNumbers);
     const Scene scene = draw_scene(random, numbers, GetParam());
     compare_paths(random, scene, seen);
     if (HasFatalFailure()) FAIL() << "round " << round;

@@ -100,7 +100,8 @@ void compare_group(Run& alone, Run& together, const std::vector<Query>& group, d
     found[i] = limit < kInfinity ? alone.arithmetic.look_ahead(group[i], limit, expected[i])
                                  : alone.arithmetic.failure(group[i], expected[i]);
   }
-  together.arithmetic.begin_group(group, limit);
+  Arithmetic::GroupAnswers answers;
+  ASSERT_NE(together.arithmetic.begin_group(group, limit, answers), Arithmetic::Grouped::kAnswered);
   for (std::size_t i = 0; i < group.size(); ++i) {
     const Outlook outlook = together.arithmetic.look_ahead_in_group(i, group[i], limit, times[i]);
     ASSERT_EQ(outlook, found[i]);
