@@ -56,7 +56,7 @@ void check_body_parameters(const Workload& workload, const WorkloadParameters& p
 void check_parameters(const Workload& workload, const WorkloadParameters& parameters) {
   if (parameters.n < workload.min_n || parameters.n > kMaxWorkloadSize) {
     refuse(workload, "--n",
-           std::to_string(parameters.n) + (workload.min_n > 1 ? " vertices" : " objects"),
+           std::to_string(parameters.n) + (workload.bodies ? " vertices" : " objects"),
            range(workload.min_n, kMaxWorkloadSize));
   }
   if (parameters.m != 0 && !workload.takes_m) {
@@ -65,7 +65,7 @@ void check_parameters(const Workload& workload, const WorkloadParameters& parame
   const int min_m = workload.takes_m ? workload.min_m : 0;
   if (parameters.m < min_m || parameters.m > kMaxWorkloadSize) {
     refuse(workload, "--m",
-           std::to_string(parameters.m) + (workload.min_m > 1 ? " vertices" : " objects"),
+           std::to_string(parameters.m) + (workload.bodies ? " vertices" : " objects"),
            range(workload.min_m, kMaxWorkloadSize));
   }
   if (parameters.degree != 1 && !workload.takes_degree) {
