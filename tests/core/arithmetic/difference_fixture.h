@@ -13,7 +13,7 @@
 
 namespace kinex::test {
 
-class Difference final : public FormulaPredicate<Order>, public CoordinateDifference {
+class KnownDifference final : public FormulaPredicate<Order>, public CoordinateDifference {
  public:
   int difference_axis() const override { return 0; }
 };

@@ -25,7 +25,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Run {
   Run(const Scene& scene, bool anchored) : arithmetic(scene, needs(scene, anchored)) {
-    difference = arithmetic.bind(std::make_shared<Difference>());
+    difference = arithmetic.bind(std::make_shared<KnownDifference>());
     set_motions(scene, arithmetic);
   }
   static NumberNeeds needs(const Scene& scene, bool anchored) {

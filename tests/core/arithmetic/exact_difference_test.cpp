@@ -34,7 +34,7 @@ struct Seen {
 // Both formulas of random pairs, now and after instants of either.
 void compare_paths(std::mt19937_64& random, const Scene& scene, Seen& seen) {
   ExactArithmetic arithmetic(scene, needs_of_objects(scene));
-  const PredicateId known = arithmetic.bind(std::make_shared<Difference>());
+  const PredicateId known = arithmetic.bind(std::make_shared<KnownDifference>());
   const PredicateId plain = arithmetic.bind(make_predicate<Order>());
   set_motions(scene, arithmetic);
   for (int step = 0; step < 24; ++step) {
