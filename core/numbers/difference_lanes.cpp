@@ -19,9 +19,9 @@ typedef double Two __attribute__((vector_size(16)));
   __builtin_memcpy(&two, p, sizeof(two));
   return two;
 }
-[[gnu::always_inline]] inline Lanes::Vector four_at(const double* p) {
-  Lanes::Vector four;
-  __builtin_memcpy(&four, p, sizeof(four));
+[[gnu::always_inline]] inline Lanes four_at(const double* p) {
+  Lanes four;
+  __builtin_memcpy(&four.v, p, sizeof(four.v));
   return four;
 }
 // Pairs (a, b) of four lanes become the lanes of a and of b.
@@ -47,7 +47,9 @@ template <int D>
 [[gnu::always_inline]] inline void subtract(const DifferenceRows<double>& rows, Lanes* v) {
   if constexpr (D == 3) {
     Lanes::Vector four[kLanes];
-    for (std::size_t j = 0; j < kLanes; ++j) four[j] = four_at(rows.to[j]) - four_at(rows.from[j]);
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      four[j] = four_at(rows.to[j]).v - four_at(rows.from[j]).v;
+    }
     transpose(four, v);
   } else {
     Two two[kLanes];
@@ -67,8 +69,8 @@ template <int D>
   for (int k = 0; k < D; k += 2) {
     Lanes::Vector four[kLanes];
     for (std::size_t j = 0; j < kLanes; ++j) {
-      const Lanes::Vector to = four_at(&rows.to[j][k].value);
-      const Lanes::Vector from = four_at(&rows.from[j][k].value);
+      const Lanes::Vector to = four_at(&rows.to[j][k].value).v;
+      const Lanes::Vector from = four_at(&rows.from[j][k].value).v;
       four[j] = __builtin_shufflevector(to - from, to + from, 0, 5, 2, 7);
     }
     Lanes out[kLanes];
