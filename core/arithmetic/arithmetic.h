@@ -135,7 +135,7 @@ class Arithmetic {
     kPrepared,  // each is passed to look_ahead_in_group() once, in this order and with the same limit
     kAnswered,  // all are answered, in `answers`
   };
-  struct GroupAnswers {
+  struct GroupAnswers {  // of the queries of a group, in their order
     std::array<Outlook, kMostInGroup> outlooks;
     std::array<FailureTime, kMostInGroup> times;
   };

@@ -19,7 +19,7 @@
 #include "core/numbers/lanes.h"
 
 namespace kinex::filter {
-
+// The largest degree of motions whose differences are taken in lanes.
 inline constexpr int kMaxDifferenceDegree = 3;
 
 // The coefficients to subtract, degree + 1 entries each, for every lane. Number: double (the

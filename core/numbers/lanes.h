@@ -137,7 +137,7 @@ inline double larger(double a, double b) { return b > a ? b : a; }
   const LaneMask::Vector place{1, 2, 4, 8};
   return {(LaneMask::Vector)((LaneMask::Vector{all, all, all, all} & place) == place)};
 }
-
+// Of every lane, rounded to nearest.
 [[gnu::always_inline]] inline Lanes square_root_of(const Lanes& a) {
 #if defined(__SSE2__)
   typedef double Half __attribute__((vector_size(16)));

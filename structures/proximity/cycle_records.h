@@ -22,7 +22,7 @@ namespace kinex {
 class CycleRecords {
  public:
   using Place = std::uint32_t;  // of a record; the tag of its certificate
-
+  // The certificate that `inside` is at most as long as `outside`, both in the cycle of `owner`.
   struct Record {
     Item inside = kNoItem, outside = kNoItem, owner = kNoItem;
     CertificateId certificate = kNoCertificate;
