@@ -105,7 +105,7 @@ TEST(ShortCycles, TwoEdgesInEachOthersCycles) {
   }
 }
 
-TEST(SlowShortCycles, TinyLattices) { on_lattices(3000); }
+TEST(SlowShortCycles, TinyLattices) { on_lattices(1500); }
 
 // Points come, go, jump and change their motions.
 TEST(ShortCycles, PointsComeAndGo) {
