@@ -45,7 +45,7 @@ struct DifferenceSpan {  // the times of a group
 
 // Of the results bit j, or entry j, is that of lane j.
 struct DifferenceLanes {
-  // The lane is certainly positive right after now, or has a closed form. Nothing is told of others.
+  // Certainly positive right after now, or with a root in closed form. Other lanes are in no set below.
   std::uint32_t known;
   std::uint32_t clear;  // known, and no failure up to the end of the node or the horizon
   std::uint32_t found;  // known, and [lo, hi] isolates the first failure, in t
