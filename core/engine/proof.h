@@ -44,15 +44,15 @@ struct ProofMark {  // a drawing that shows a part of a proof
 
 struct ProofGroup {  // certificates that prove one thing together
   static constexpr std::uint64_t kNoPlace = ~std::uint64_t{};
-  std::string_view kind;        // "edge", "match", "tile"
-  std::vector<ObjectId> about;  // objects of the scene
-  std::string text;             // its state in words; empty: kind and objects say everything
+  std::string_view kind = {};        // "edge", "match", "tile"
+  std::vector<ObjectId> about = {};  // objects of the scene
+  std::string text = {};             // its state in words; empty: kind and objects say everything
   // Its place in a tree (or in one of several), and that of its parent; kNoPlace: none.
   std::uint64_t place = kNoPlace, parent = kNoPlace;
   std::uint32_t branch = 0;  // the order among siblings
   // The lines in its certificates are those of the Minkowski sum of the two bodies, not their own.
   bool of_sum = false;
-  std::vector<ProofMark> marks;
+  std::vector<ProofMark> marks = {};
   friend bool operator==(const ProofGroup&, const ProofGroup&) = default;
 };
 

@@ -106,6 +106,8 @@ struct GrowthClaim {
   int logs = 0;
   double lower_order = 1;  // ClaimedPower (power_verdict.h)
   std::size_t sizes = 0;   // cells that the family has; 0: not known
+  // Cells that it has in the full experiments; more than `sizes` if these are a part, as --quick is.
+  std::size_t full_sizes = 0;
 };
 
 // An experiment that is not a run of one structure: a table and its checks.

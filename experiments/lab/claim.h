@@ -32,9 +32,10 @@ struct PaperClaim {
   CheckedBy checked_by;
 
   // True if the verdict is a surprise: a statement is refuted that has no known counterexample, or
-  // one that has is confirmed.
+  // one that has is confirmed, or agrees.
   bool is_surprising() const {
-    return verdict == (counterexample.empty() ? Verdict::kRefuted : Verdict::kConfirmed);
+    if (counterexample.empty()) return verdict == Verdict::kRefuted;
+    return verdict <= Verdict::kAgrees;
   }
 };
 

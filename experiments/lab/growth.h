@@ -21,13 +21,16 @@ struct GrowthResult {
   Check check;
 };
 
-// Fits the counts of the family over its cells. A power is judged by judge_power
-// (power_verdict.h).
-// A law with logarithms is judged by judge_law (law_verdict.h).
-// Nothing is confirmed from fewer cells than the claim has. There is no judgement at all if a cell has
-// fewer seeds than its least number, or too few for its required precision: no part of the data that a
-// claim requires confirms what the whole does not. Data beyond those may show a misfit that smaller
-// samples hide: their chi squared is then bad, and the claim, which they confirmed, is open again.
+// Fits the counts of the family over its cells. A power is judged by judge_power (power_verdict.h), a law
+// with logarithms by judge_law (law_verdict.h).
+//
+// Less data never confirm more. A claim asks for all cells of its family in the full experiments, and of
+// each for the fewest scenes, from the first, that are as many and as precise as the cell says. Those
+// decide, and nothing less confirms:
+//   too few scenes    open; the check says about how many it takes
+//   fewer cells       open; kAgrees if that is all that was asked for (--quick)
+//   more scenes       decide nothing; if they would give another verdict, the check says that, with their
+//                     numbers
 GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult>& cells);
 
 }  // namespace kinex::lab

@@ -29,7 +29,7 @@ nav details { display: inline-block; margin-right: 1.1em; vertical-align: top; }
 nav details[open] { display: block; margin: .3rem 0; }
 nav a { margin-right: 1.1em; display: inline-block; }
 .v { font-weight: 600; white-space: nowrap; } .text { white-space: normal; }
-.PASS { color: var(--good); } .FAIL { color: var(--bad); } .INCONCLUSIVE, .GAVE { color: var(--open); }
+.PASS, .AGREES { color: var(--good); } .FAIL { color: var(--bad); } .INCONCLUSIVE, .GAVE { color: var(--open); }
 .grid { display: grid; gap: 1.2rem; align-items: start;
   grid-template-columns: repeat(auto-fill, minmax(min(560px, 100%), 1fr)); }
 figure { margin: 0; border: 1px solid var(--line); border-radius: 6px; padding: .6rem; min-width: 0; }

@@ -207,12 +207,32 @@ RunningMean mean_of(const std::vector<Trial>& trials, const Quantity& quantity) 
   return mean;
 }
 
+namespace {
+
+bool is_precise(const RunningMean& mean, const Cell::Precise& asked) {
+  return mean.standard_error() <= asked.relative_error * mean.mean();
+}
+
+}  // namespace
+
 bool precise_enough(const Cell& cell, const std::vector<Trial>& trials) {
   if (static_cast<int>(trials.size()) < cell.min_seeds) return false;
   return std::all_of(cell.precise.begin(), cell.precise.end(), [&](const Cell::Precise& precise) {
-    const RunningMean mean = mean_of(trials, precise.quantity);
-    return mean.standard_error() <= precise.relative_error * mean.mean();
+    return is_precise(mean_of(trials, precise.quantity), precise);
   });
+}
+
+std::size_t scenes_asked_for(const Cell& cell, const std::vector<Trial>& trials) {
+  std::vector<RunningMean> means(cell.precise.size());
+  for (std::size_t k = 0; k < trials.size(); ++k) {
+    bool precise = static_cast<int>(k) + 1 >= cell.min_seeds;
+    for (std::size_t i = 0; i < means.size(); ++i) {
+      means[i].add(static_cast<double>(trials[k].measurement.count_of(cell.precise[i].quantity)));
+      precise = precise && is_precise(means[i], cell.precise[i]);
+    }
+    if (precise) return k + 1;
+  }
+  return 0;
 }
 
 int seeds_needed(const Cell& cell, const std::vector<Trial>& trials) {

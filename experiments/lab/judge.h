@@ -51,6 +51,9 @@ RunningMean mean_of(const std::vector<Trial>& trials, const Quantity& quantity);
 
 // True if the cell has the seeds it needs.
 bool precise_enough(const Cell& cell, const std::vector<Trial>& trials);
+// Of the scenes, from the first, those that the cell asks for: the fewest that are precise enough. 0 if
+// all of them are too few.
+std::size_t scenes_asked_for(const Cell& cell, const std::vector<Trial>& trials);
 // An estimate of the seeds that the cell needs, from the spread so far: at least min_seeds.
 int seeds_needed(const Cell& cell, const std::vector<Trial>& trials);
 

@@ -9,6 +9,8 @@ std::string_view check_word(Verdict verdict) {
   switch (verdict) {
     case Verdict::kConfirmed:
       return "PASS";
+    case Verdict::kAgrees:
+      return "AGREES";
     case Verdict::kOpen:
       return "INCONCLUSIVE";
     case Verdict::kGaveUp:
@@ -23,6 +25,8 @@ std::string_view claim_word(Verdict verdict) {
   switch (verdict) {
     case Verdict::kConfirmed:
       return "confirmed";
+    case Verdict::kAgrees:
+      return "agrees";
     case Verdict::kOpen:
       return "open";
     case Verdict::kGaveUp:

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- The tables of verify.sqlite, which kinex verify writes. Exact values are TEXT; verdicts are PASS, INCONCLUSIVE,
--- GAVE UP or FAIL. The program makes its tables from this file.
+-- The tables of verify.sqlite, which kinex verify writes. Exact values are TEXT; verdicts are PASS, AGREES (of a
+-- part of the sizes: --quick), INCONCLUSIVE, GAVE UP or FAIL. The program makes its tables from this file.
 
 -- The program that made the database: one row.
 CREATE TABLE build(

@@ -44,7 +44,7 @@ std::string command_of(const VerifyOptions& options) {
 
 int exit_code_of(const verify::VerifyResult& result) {
   if (result.verdict() == lab::Verdict::kRefuted) return kExitFailed;
-  if (result.interrupted || result.verdict() != lab::Verdict::kConfirmed) return kExitGaveUp;
+  if (result.interrupted || result.verdict() > lab::Verdict::kAgrees) return kExitGaveUp;
   return kExitFine;
 }
 
@@ -60,7 +60,7 @@ class LongTable {
     text_ += row;
     if (options_.json) {
       print(json);
-    } else if (options_.table || verdict != lab::Verdict::kConfirmed) {
+    } else if (options_.table || verdict > lab::Verdict::kAgrees) {
       if (!headed_) options_.voice.report("did not pass:\n" + verify::table_header(bounds_));
       headed_ = true;
       options_.voice.report(row);

@@ -68,7 +68,7 @@ Html trouble_part(const VerifyResult& result, const lab::PageFacts& facts) {
   Html text;
   const auto add = [&](const std::string& structure, const std::string& what, const lab::Check& check,
                        const char* found) {
-    if (check.verdict == lab::Verdict::kConfirmed) return;
+    if (check.verdict <= lab::Verdict::kAgrees) return;
     text += html("<h3>{} &middot; {} &middot; {}</h3>\n<p>Expected {}, {} {}.</p>\n", structure, what,
                  lab::verdict_mark(check.verdict), check.expected, found, check.observed);
   };
@@ -168,7 +168,7 @@ lab::Report verify_report(const VerifyResult& result, const lab::PageFacts& fact
   lab::Report report;
   report.title = "kinex verify";
   report.verdict = verdict_line(result, facts.taken);
-  report.good = result.verdict() == lab::Verdict::kConfirmed;
+  report.good = result.verdict() <= lab::Verdict::kAgrees;
   report.interrupted = result.interrupted;
   report.lead = html("<p>{}.</p>\n", work_line(result));
   if (const std::string seeds = seeds_line(result); !seeds.empty()) {

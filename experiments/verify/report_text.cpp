@@ -150,7 +150,7 @@ std::string seeds_line(const VerifyResult& result) {
 }
 
 std::string verdict_line(const VerifyResult& result, const lab::TimeTaken& taken) {
-  std::array<std::size_t, 4> counts{};  // of cells, fits and studies, by verdict
+  std::array<std::size_t, 5> counts{};  // of cells, fits and studies, by verdict
   const auto count = [&](lab::Verdict verdict) -> std::size_t& {
     return counts[static_cast<std::size_t>(verdict)];
   };
@@ -164,6 +164,8 @@ std::string verdict_line(const VerifyResult& result, const lab::TimeTaken& taken
   const auto add = [&](lab::Verdict verdict, const char* words) {
     if (count(verdict) > 0) text += fmt::format("; {} {}", count(verdict), words);
   };
+  add(lab::Verdict::kAgrees, count(lab::Verdict::kAgrees) == 1 ? "agrees, of fewer sizes than its claim asks for"
+                                                               : "agree, of fewer sizes than their claims ask for");
   add(lab::Verdict::kOpen, "inconclusive");
   add(lab::Verdict::kGaveUp, "gave up");
   if (result.interrupted) text += "; interrupted";

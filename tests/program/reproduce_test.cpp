@@ -57,7 +57,7 @@ TEST(ReproduceVerb, TellsThePaperOnCollisions) {
   const Finished run =
       run_kinex({"reproduce", "separation-sensitive-1999", "features", "--quick", "-o", folder});
   EXPECT_EQ(run.exit_code, 0) << run.err << run.out;
-  EXPECT_THAT(run.out, HasSubstr("confirmed  features.closest"));
+  EXPECT_THAT(run.out, HasSubstr("agrees  features.closest"));
   EXPECT_THAT(read_file(folder + "/README.md"), HasSubstr("n (3n + 2)"));
   const Finished part = run_kinex({"reproduce", "separation-sensitive-1999", "figure-3"});
   EXPECT_EQ(part.exit_code, 2);
@@ -82,6 +82,7 @@ TEST(ReproduceVerb, WhatTheSecondProgramRefusesIsNotConfirmed) {
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.out, HasSubstr("open  features.closest"));
   EXPECT_THAT(run.out, HasSubstr("refused: an event is missing"));
+  EXPECT_THAT(run.out, Not(HasSubstr("agrees  ")));
   EXPECT_THAT(run.out, Not(HasSubstr("confirmed")));
   EXPECT_THAT(read_file(folder + "/claims.json"), HasSubstr("refused: an event is missing"));
   EXPECT_THAT(read_file(folder + "/README.md"), HasSubstr("refused: an event is missing"));

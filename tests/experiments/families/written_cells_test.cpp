@@ -27,8 +27,7 @@ namespace kinex {
 namespace written_cells_test {
 
 #include "block_1.inc"
-#include "block_2.inc"
-#include "block_4.inc"
+#include "block_3.inc"
 
 TEST(WrittenCells, ExpectWhatIsCounted) {
   lab::Catalogue quick, full;

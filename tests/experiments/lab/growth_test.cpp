@@ -205,19 +205,20 @@ TEST(JudgePower, ChiSquareIsSaidOnlyOfCountsWithErrors) {
 
 // ---- laws with logarithms, and whole families of cells -----------------------------------------
 
-// Cells of 8 and more random scenes, as runs have them: until the mean is known to 2 %.
+// Cells of 8 and more random scenes, as runs have them: until the mean is known to 2 %, and for `fewest`
+// scenes. Fewer are the first ones of more.
 std::vector<lab::CellResult> family_of(const Count& law, double spread, std::uint64_t seed,
-                                       int sizes = 8) {
-  Noise noise(seed);
+                                       int sizes = 8, std::size_t fewest = 0) {
   std::vector<lab::CellResult> cells;
   for (int k = 0; k < sizes; ++k) {
+    Noise noise(1000 * seed + static_cast<std::uint64_t>(k));
     lab::CellResult cell;
     cell.cell.structure = "sorted_list";
     cell.cell.family = "made up";
     cell.cell.min_seeds = 8;
     cell.cell.precise = {{"processed", 0.02}};
     const double n = 32 * std::pow(2, k);
-    while (!lab::precise_enough(cell.cell, cell.trials)) {
+    while (cell.trials.size() < fewest || !lab::precise_enough(cell.cell, cell.trials)) {
       lab::Trial trial;
       trial.measurement.objects = static_cast<std::size_t>(n);
       const double count = 1000 * law(n) * std::max(0.01, 1 + spread * noise.normal());
@@ -317,6 +318,57 @@ TEST(JudgeGrowth, LessDataNeverConfirmMore) {
   }
   EXPECT_GT(confirmed, 20);
   EXPECT_GT(not_confirmed, 20);
+}
+
+// A wiggle of 1.2 % that the scenes that the claim asks for cannot show, and that thousands of scenes do. Those
+// decide nothing: the claim is confirmed by every prefix of them that holds the scenes that it asks for,
+// with the same numbers, and by none that does not.
+TEST(JudgeGrowth, MoreScenesThanAskedForDecideNothing) {
+  const auto wiggle = [](double n) { return std::pow(n, 1.5) * (1 + 0.012 * std::sin(3 * std::log(n))); };
+  const lab::GrowthClaim claim = claim_of(1.5, 0, 8);
+  std::vector<lab::CellResult> cells = family_of(wiggle, 0.1, 7);
+  std::size_t fewest = 0;
+  for (const lab::CellResult& cell : cells) {
+    EXPECT_EQ(lab::scenes_asked_for(cell.cell, cell.trials), cell.trials.size());
+    fewest = std::max(fewest, cell.trials.size());
+  }
+  const lab::Check asked = lab::judge_growth(claim, cells).check;
+  ASSERT_EQ(asked.verdict, lab::Verdict::kConfirmed) << asked.observed;
+  std::vector<lab::CellResult> more = family_of(wiggle, 0.1, 7, 8, 4000);
+  const lab::GrowthResult all = lab::judge_growth(claim, more);
+  EXPECT_EQ(all.check.verdict, lab::Verdict::kConfirmed);
+  EXPECT_THAT(all.check.observed, HasSubstr("All scenes: "));
+  EXPECT_THAT(all.check.observed, HasSubstr("too large for chance, too (open)"));
+  for (const std::size_t kept : {std::size_t{4}, fewest - 1, fewest, fewest + 100, std::size_t{1000}}) {
+    std::vector<lab::CellResult> part = more;
+    for (lab::CellResult& cell : part) cell.trials.resize(kept);
+    const lab::GrowthResult result = lab::judge_growth(claim, part);
+    const bool enough = std::all_of(part.begin(), part.end(), [](const lab::CellResult& cell) {
+      return lab::scenes_asked_for(cell.cell, cell.trials) > 0;
+    });
+    EXPECT_EQ(result.check.verdict == lab::Verdict::kConfirmed, enough) << kept;
+    if (!enough) continue;
+    EXPECT_EQ(result.fit->b, all.fit->b);
+    EXPECT_EQ(result.fit->chi_square, all.fit->chi_square);
+  }
+}
+
+// Some of the sizes of the full experiments, as --quick has them, agree at best.
+TEST(JudgeGrowth, APartOfTheSizesAgrees) {
+  const auto judged = [](const Count& law, std::size_t full_sizes, std::size_t cells = 8) {
+    lab::GrowthClaim claim = claim_of(1.5, 0, 8);
+    claim.full_sizes = full_sizes;
+    std::vector<lab::CellResult> family = family_of(law, 0.02, 3);
+    family.resize(cells);
+    return lab::judge_growth(claim, family).check;
+  };
+  const auto law = [](double n) { return std::pow(n, 1.5); };
+  EXPECT_EQ(judged(law, 8).verdict, lab::Verdict::kConfirmed);
+  EXPECT_EQ(judged(law, 11).verdict, lab::Verdict::kAgrees);
+  EXPECT_THAT(judged(law, 11).observed, HasSubstr(", 8 of the 11 cells of the full experiments"));
+  EXPECT_EQ(judged(law, 11, 7).verdict, lab::Verdict::kOpen);
+  const auto other = [](double n) { return std::pow(n, 1.8); };
+  EXPECT_EQ(judged(other, 11).verdict, lab::Verdict::kRefuted);
 }
 
 TEST(JudgeGrowth, SaysWhichCellsAreMissing) {

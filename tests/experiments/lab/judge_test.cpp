@@ -115,6 +115,7 @@ lab::Check judge_as_logarithm(const Count& count, int sizes = 10, double scale =
     lab::CellResult cell;
     cell.cell.structure = "sorted_list";
     cell.cell.family = "constructed";
+    cell.cell.min_seeds = cell.cell.max_seeds = 3;
     for (const int departure : {-1, 0, 1}) {
       lab::Trial trial;
       trial.measurement.objects = static_cast<std::size_t>(x);
@@ -197,8 +198,10 @@ TEST(JudgeGrowth, WantsTheScenesThatACellNeeds) {
     const lab::Check check = lab::judge_growth(claim, cells).check;
     EXPECT_EQ(check.verdict, lab::Verdict::kOpen);
     EXPECT_EQ(check.seeds_needed, 8);
-    for (lab::CellResult& cell : cells) cell.trials.resize(1);
-    cells[2].cell.min_seeds = 1;
+    for (lab::CellResult& cell : cells) {
+      cell.trials.resize(1);
+      cell.cell.min_seeds = cell.cell.max_seeds = 1;
+    }
     // Exact counts: three sizes may lie on a power by chance.
     cells.resize(3);
     EXPECT_EQ(lab::judge_growth(claim, cells).check.verdict,

@@ -62,6 +62,7 @@ inline std::vector<lab::CellResult> constructed_family(double exponent) {
     lab::CellResult cell;
     cell.cell.structure = "sorted_list";
     cell.cell.family = "constructed";
+    cell.cell.min_seeds = cell.cell.max_seeds = 3;
     cell.cell.parameters.n = n;
     for (const int departure : {-1, 0, 1}) {
       lab::Trial trial;

@@ -28,7 +28,6 @@ namespace written_structure_test {
 
 #include "block_1.inc"
 #include "block_2.inc"
-#include "block_3.inc"
 
 struct Left {
   explicit Left(Scene given, const std::string& arithmetic = "exact")
