@@ -8,7 +8,7 @@ from subsets import own_objects
 class Replay:
     """The state of one structure, advanced by the records of its log. Subclasses keep `attribute`."""
 
-    fails_touching = None  # a predicate whose certificates fail where they touch zero, too
+    fails_touching = ()  # predicates whose certificates fail where they touch zero, too
     partial_hull = False  # a hull of some of the points: what is read off it is not an attribute of all
     at_every_instant = False  # to be settled at all instants of the log, with or without a record of its own
 

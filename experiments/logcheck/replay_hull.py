@@ -154,7 +154,7 @@ class HullBruteForce(Hull):
     failure changes the hull, and all certificates are made anew: one internal event an instant."""
 
     KINDS = {"reflex": 3, "outside": 3, "between": 2}
-    fails_touching = "orientation_2"  # vertices that meet and part again leave every turn to the left
+    fails_touching = ("orientation_2",)  # vertices that meet and part again leave every turn to the left
 
     def start(self, x):
         self.touching = set()  # places of the turns, whose claims fail where they touch zero

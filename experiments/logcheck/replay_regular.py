@@ -27,17 +27,19 @@ class Regular(Cells):
 
 
 class RegularInThePlane(Regular):
-    fails_touching = "orientation_2"  # vertices of the hull that meet and part again leave every turn as it was
+    # Vertices of the hull that meet and part again leave every turn as it was, and a simplex that turns over may
+    # leave every power.
+    fails_touching = ("orientation_2", "power_2", "disc_power_2")
     CORNERS = 3
     SIZES = {"flip": (4,), "enter": (3,), "leave": (3,), "show": (3, 4), "hide": (3, 4)}
-    OTHERS = {"blocked": (3, 4), "witness": (1,), "touch": (3,)}
+    OTHERS = {"blocked": (3, 4), "witness": (1,), "touch": (3, 4)}
     change = staticmethod(change_in_plane)
 
 
 class RegularInSpace(Regular):
-    fails_touching = "orientation_3"
+    fails_touching = ("orientation_3", "power_3", "disc_power_3")
     CORNERS = 4
     SIZES = {"flip_2_3": (5,), "flip_3_2": (5,), "enter": (4,), "leave": (4,), "hull_2_3": (4,), "hull_3_2": (4,),
              "show": (4, 5), "hide": (4, 5)}
-    OTHERS = {"blocked": (4, 5), "witness": (1,), "touch": (4,)}
+    OTHERS = {"blocked": (4, 5), "witness": (1,), "touch": (4, 5)}
     change = staticmethod(change)

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/arithmetic/predicate_formula.h"
+#include "core/arithmetic/touch.h"
 #include "predicates/points/lifted_determinant.h"
 #include "predicates/points/space_predicates.h"
 
@@ -43,10 +44,16 @@ struct InSphere3 {
   }
 };
 
+class TouchingInSphere3 final : public FormulaPredicate<InSphere3>, public FailsAtTouch {};
+
 }  // namespace
 
 std::shared_ptr<const Predicate> make_in_sphere_3() {
   return std::make_shared<FormulaPredicate<InSphere3>>();
+}
+
+std::shared_ptr<const Predicate> make_in_sphere_3_touch() {
+  return std::make_shared<TouchingInSphere3>();
 }
 
 }  // namespace kinex

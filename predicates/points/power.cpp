@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/arithmetic/predicate_formula.h"
+#include "core/arithmetic/touch.h"
 #include "predicates/points/lifted_determinant.h"
 #include "predicates/points/power_predicates.h"
 
@@ -103,7 +104,7 @@ int degree_of(const MotionView<Ball>* points, int arity, int d, int first, int l
 // A weight may be of higher degree than coordinates: coefficients beyond the true degree are exact
 // zeros.
 template <int kAxes>
-class WeightPowerPredicate final : public FormulaPredicate<WeightPower<kAxes>> {
+class WeightPowerPredicate : public FormulaPredicate<WeightPower<kAxes>> {
  public:
   void ball(int d, const MotionView<Ball>* points, double shift, Ball* out) const override {
     FormulaPredicate<WeightPower<kAxes>>::ball(d, points, shift, out);
@@ -113,6 +114,11 @@ class WeightPowerPredicate final : public FormulaPredicate<WeightPower<kAxes>> {
     for (int k = true_degree + 1; k <= this->degree(d); ++k) out[k] = Ball{};
   }
 };
+
+template <int kAxes>
+class TouchingWeightPower final : public WeightPowerPredicate<kAxes>, public FailsAtTouch {};
+template <int kAxes>
+class TouchingRadiusPower final : public FormulaPredicate<RadiusPower<kAxes>>, public FailsAtTouch {};
 
 }  // namespace
 
@@ -127,6 +133,18 @@ std::shared_ptr<const Predicate> make_disc_power_2() {
 }
 std::shared_ptr<const Predicate> make_disc_power_3() {
   return std::make_shared<FormulaPredicate<RadiusPower<3>>>();
+}
+std::shared_ptr<const Predicate> make_power_2_touch() {
+  return std::make_shared<TouchingWeightPower<2>>();
+}
+std::shared_ptr<const Predicate> make_power_3_touch() {
+  return std::make_shared<TouchingWeightPower<3>>();
+}
+std::shared_ptr<const Predicate> make_disc_power_2_touch() {
+  return std::make_shared<TouchingRadiusPower<2>>();
+}
+std::shared_ptr<const Predicate> make_disc_power_3_touch() {
+  return std::make_shared<TouchingRadiusPower<3>>();
 }
 
 }  // namespace kinex

@@ -44,6 +44,13 @@ std::shared_ptr<const Predicate> make_power_3();
 //   (3) unchanged by a common translation
 std::shared_ptr<const Predicate> make_disc_power_3();
 
+// The same polynomials under the same names, for certificates that fail at touches, too
+// (core/arithmetic/touch.h).
+std::shared_ptr<const Predicate> make_power_2_touch();
+std::shared_ptr<const Predicate> make_power_3_touch();
+std::shared_ptr<const Predicate> make_disc_power_2_touch();
+std::shared_ptr<const Predicate> make_disc_power_3_touch();
+
 }  // namespace kinex
 
 #endif

@@ -28,6 +28,8 @@ std::shared_ptr<const Predicate> make_orientation_3_touch();
 //   (2) zero if two arguments are equal
 //   (3) unchanged by a common translation
 std::shared_ptr<const Predicate> make_in_sphere_3();
+// The same polynomial under the same name, for certificates that fail at touches, too.
+std::shared_ptr<const Predicate> make_in_sphere_3_touch();
 
 // unfolded_3(p, u, v, q) = ((v - u) x (p - u)) . ((v - u) x (u - q)). For triangles u v p and u v q in one
 // plane, positive iff they lie on different sides of their common edge. Degree 4 in the coordinates.

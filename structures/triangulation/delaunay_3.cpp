@@ -9,13 +9,14 @@ namespace kinex {
 
 Delaunay3::Delaunay3(Kernel& kernel, StructureId id, const Scene& scene)
     : SpaceFlips(kernel, id, scene.objects.size(),
-                 SpaceGeometry(kernel, static_cast<ObjectId>(scene.objects.size())), "facets",
-                 Kinds{kRetile, kBlocked}),
+                 RegularGeometry<SpaceComplex>(kernel, static_cast<ObjectId>(scene.objects.size())),
+                 "facets", Kinds{kRetile, kBlocked, kTouch}),
       points_(scene.objects.size()) {}
 
 std::vector<std::string_view> Delaunay3::event_kinds() const {
   return common_event_kinds(
-      {"flip_2_3", "flip_3_2", "enter", "leave", "hull_2_3", "hull_3_2", "retile", "blocked"});
+      {"flip_2_3", "flip_3_2", "enter", "leave", "hull_2_3", "hull_3_2", "retile", "blocked",
+       "touch"});
 }
 
 // ---- certificates
@@ -25,7 +26,7 @@ void Delaunay3::set_certificate(Facet f) {
   CertificateId slot = store_.label(f);
   const Outlook outlook = facets_.set(slot, claim_of(f), f);
   store_.set_label(f, slot);
-  note_outlook(f, outlook);
+  if (outlook == Outlook::kIdenticallyZero) set_tie(f);
 }
 
 // set_certificate for each of several facets, in this order.
@@ -46,14 +47,20 @@ void Delaunay3::set_certificates(std::span<const Facet> facets) {
       continue;
     }
     facets_.set(group);
-    for (std::size_t i = 0; i < group.size; ++i) note_outlook(facets[i], group.outlooks[i]);
+    for (std::size_t i = 0; i < group.size; ++i) {
+      if (group.outlooks[i] == Outlook::kIdenticallyZero) set_tie(facets[i]);
+    }
     facets = facets.subspan(group.size);
   }
 }
 
-// A tie that is not as it should be is mended when the instant is settled.
-void Delaunay3::note_outlook(Facet f, Outlook outlook) {
-  if (outlook != Outlook::kIdenticallyZero || !is_bad(f)) return;
+// The claim of the facet is identically zero: certifies what the ties say. If that is zero, too, a cell is
+// identically flat, or the hull is folded: it is mended when the instant is settled.
+void Delaunay3::set_tie(Facet f) {
+  ++ties_;
+  CertificateId slot = store_.label(f);
+  const Outlook outlook = facets_.set(slot, tie_claim_of(f), f);
+  if (outlook != Outlook::kIdenticallyZero) return;
   suspect_all(points_of(f));
   kernel_->settle_later(id_);
 }
@@ -61,6 +68,7 @@ void Delaunay3::note_outlook(Facet f, Outlook outlook) {
 void Delaunay3::certificate_failed(CertificateId failed) {
   if (corrupt_) return;
   const Facet f = facets_.failed(failed);
+  if (touched(f)) return;
   note_change(points_of(f));
   if (!flip(f)) blocked(f);
 }

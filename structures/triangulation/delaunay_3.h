@@ -5,8 +5,10 @@
 // hull are flips like all others. One certificate for each facet, between two cells with the apices
 // p and q, for motions of degree d:
 //   all five points finite  q is not inside the sphere of the other cell   in_sphere_3,   degree 5d
+//                           identically on it: the ties                    orientation_3, degree 3d
 //   p or q infinite         the finite cell is upright                     orientation_3, degree 3d
 //   the facet is infinite   the hull is convex at its finite edge          orientation_3, degree 3d
+//                           identically in one plane: it is not folded     unfolded_3,    degree 4d
 // Locally Delaunay everywhere is globally Delaunay.
 //
 //           p                      p             X, the three points of the facet with p and q, has
@@ -21,9 +23,10 @@
 //   compactness     2 (E - V) certificates (Euler's formula on the 3-sphere), at most (n+1)(n-2)
 //   locality        not local
 //   responsiveness  a flip, 9 or 7 certificates
-//   efficiency      every event changes cells (ratio 1)
+//   efficiency      every event but `blocked` and `touch`, at degenerate instants, changes cells (ratio 1)
 // Events: each in_sphere_3 changes sign at most 5d times, each orientation_3 3d times: at most
-// 5d C(n,5) + 3d C(n,4) instants. Growth O(n^3 lambda_s(n)).
+// 5d C(n,5) + 3d C(n,4) instants; with ties that last at most 15d C(n,5) + 24d C(n,4). Growth
+// O(n^3 lambda_s(n)).
 //
 // Ties. The triangulation right after an instant depends on the points' motions and ids alone: see
 // lifted_geometry.h. Of identically equal points the smallest id is the vertex; the others are hidden
@@ -41,6 +44,8 @@
 //   hull_3_2   p q a b: the cell leaves; the hull edge p q leaves
 //   retile     a part was sewn: no ids; the difference of cells, if there is one
 //   blocked    internal
+//   touch      internal; u v w p: p is in the plane of the hull facet u v w, or that is flat;
+//              a b c d e: five points are on one sphere
 //
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7; Joe,
 // Construction of three-dimensional Delaunay triangulations using local transformations (1991);
@@ -59,15 +64,14 @@
 #include "structures/triangulation/equal_points.h"
 #include "structures/triangulation/sewn_triangulation.h"
 #include "structures/triangulation/space_flips.h"
-#include "structures/triangulation/space_geometry.h"
 #include "structures/triangulation/static_delaunay_3.h"
 
 namespace kinex {
 
-class Delaunay3 final : public SpaceFlips<SewnTriangulation<SpaceGeometry>> {
+class Delaunay3 final : public SpaceFlips<SewnTriangulation<RegularGeometry<SpaceComplex>>> {
  public:
   // Kinds of events and their ids: see above. First those of space_flips.h.
-  enum Kind : std::uint8_t { kRetile = kSpaceFlips, kBlocked };
+  enum Kind : std::uint8_t { kRetile = kSpaceFlips, kBlocked, kTouch };
 
   Delaunay3(Kernel& kernel, StructureId id, const Scene& scene);
 
@@ -98,8 +102,7 @@ class Delaunay3 final : public SpaceFlips<SewnTriangulation<SpaceGeometry>> {
   // ---- delaunay_3.cpp: certificates
   void set_certificate(Facet f) override;
   void set_certificates(std::span<const Facet> facets) override;
-  void note_outlook(Facet f, Outlook outlook);
-  bool is_wrong_tie(Facet f) const override { return is_bad(f); }
+  void set_tie(Facet f);
 
   // ---- delaunay_3_update.cpp: the static algorithm, and changes from outside
   void construct() override;
@@ -114,6 +117,7 @@ class Delaunay3 final : public SpaceFlips<SewnTriangulation<SpaceGeometry>> {
   EqualPoints points_;
   std::vector<std::pair<ObjectId, ObjectId>>
       hidden_in_patch_;  // and the vertices they are equal to
+  std::uint64_t ties_ = 0;  // certificates of ties that were made
 };
 
 }  // namespace kinex

@@ -72,6 +72,8 @@ void Delaunay3::erase(ObjectId object) {
 
 void Delaunay3::motions_changed(std::span<const ObjectId> objects) {
   moved_.insert(moved_.end(), objects.begin(), objects.end());
+  if (corrupt_ || flat_) return;
+  for (const ObjectId v : objects) renew_about(v);
 }
 
 // The point becomes a vertex, or is hidden behind an equal one; the smaller id is the vertex.

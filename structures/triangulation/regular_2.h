@@ -43,7 +43,8 @@
 //   witness  h: internal; it has, or waits for, another witness
 //   retile   a part was sewn, or a point shows in several triangles: the difference, if there is one
 //   blocked  internal
-//   touch    u v p: internal; p, or a vertex that meets u or v, is on the line of the hull edge u v
+//   touch    internal; u v p: p, or a vertex that meets u or v, is on the line of the hull edge u v;
+//            a b c d: four lifted points are in one plane
 //
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7; Edelsbrunner,
 // Shah, Incremental topological flipping works for regular triangulations (1996); Devillers, Teillaud

@@ -46,7 +46,8 @@
 //   witness    h: internal; it has, or waits for, another witness
 //   retile     a part was sewn, or a point shows in several cells: the difference, if there is one
 //   blocked    internal
-//   touch      u v w p: internal; p is in the plane of the hull facet u v w, or that is flat
+//   touch      internal; u v w p: p is in the plane of the hull facet u v w, or that is flat;
+//              a b c d e: five lifted points are in one plane
 //
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7; Edelsbrunner,
 // Shah, Incremental topological flipping works for regular triangulations (1996); Devillers, Teillaud

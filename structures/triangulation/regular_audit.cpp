@@ -138,7 +138,7 @@ void RegularTriangulation<Complex>::check_invariants(AuditReport& report) const 
       const CertificateId label = this->store_.label(f);
       const auto holds = [&](Facet tag) {
         const bool tie = this->kernel_->sign_after(this->claim_of(tag)) == Sign::kZero;
-        return this->facets_.holds(label, tie ? tie_claim_of(tag) : this->claim_of(tag), tag);
+        return this->facets_.holds(label, tie ? this->tie_claim_of(tag) : this->claim_of(tag), tag);
       };
       const auto text = [&](const char* what) {
         std::string facet = "facet";

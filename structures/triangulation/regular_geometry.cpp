@@ -2,6 +2,7 @@
 #include "structures/triangulation/regular_geometry.h"
 
 #include <memory>
+#include <utility>
 
 #include "predicates/points/power_predicates.h"
 #include "predicates/points/space_predicates.h"
@@ -11,11 +12,13 @@ namespace kinex {
 namespace {
 
 template <class Complex>
-std::shared_ptr<const Predicate> power_of(Extents extents) {
+PowerPair powers_of(Extents extents) {
   if constexpr (Complex::kAxes == 2) {
-    return extents == Extents::kRadius ? make_disc_power_2() : make_power_2();
+    if (extents == Extents::kRadius) return {make_disc_power_2(), make_disc_power_2_touch()};
+    return {make_power_2(), make_power_2_touch()};
   } else {
-    return extents == Extents::kRadius ? make_disc_power_3() : make_power_3();
+    if (extents == Extents::kRadius) return {make_disc_power_3(), make_disc_power_3_touch()};
+    return {make_power_3(), make_power_3_touch()};
   }
 }
 
@@ -23,8 +26,18 @@ std::shared_ptr<const Predicate> power_of(Extents extents) {
 
 template <class Complex>
 RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, Extents extents, ObjectId infinity)
-    : Base(kernel, infinity, power_of<Complex>(extents)),
-      radii_(extents == Extents::kRadius),
+    : RegularGeometry(kernel, powers_of<Complex>(extents), extents == Extents::kRadius, infinity) {}
+
+template <class Complex>
+RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, ObjectId infinity)
+  requires(Complex::kAxes == 3)
+    : RegularGeometry(kernel, PowerPair{make_in_sphere_3(), make_in_sphere_3_touch()}, false, infinity) {}
+
+template <class Complex>
+RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, PowerPair powers, bool radii, ObjectId infinity)
+    : Base(kernel, infinity, std::move(powers.plain)),
+      radii_(radii),
+      power_touch_(kernel.bind(std::move(powers.touch))),
       touch_(kernel.bind(Complex::kAxes == 2 ? make_orientation_2_touch()
                                              : make_orientation_3_touch())),
       unfolded_(kernel.bind(Complex::kAxes == 2 ? make_obtuse_angle_2() : make_unfolded_3())) {}
@@ -32,7 +45,7 @@ RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, Extents extents, Objec
 template <class Complex>
 Query RegularGeometry<Complex>::claim(const Simplex& s, unsigned i, ObjectId apex) const {
   if (!this->is_ghost(s)) {
-    return apex == this->infinity() ? this->query(touch_, s) : this->power_claim(s, apex);
+    return apex == this->infinity() ? this->query(touch_, s) : this->query(power_touch_, this->turned(s), apex);
   }
   const Simplex filled = this->turned(this->replaced(s, this->infinity(), apex));
   return s[i] == this->infinity() ? this->query(touch_, filled) : this->orientation_claim(filled);

@@ -4,10 +4,17 @@
 #ifndef KINEX_STRUCTURES_TRIANGULATION_REGULAR_GEOMETRY_H
 #define KINEX_STRUCTURES_TRIANGULATION_REGULAR_GEOMETRY_H
 
+#include <memory>
+
 #include "core/motion/scene.h"
 #include "structures/triangulation/lifted_geometry.h"
 
 namespace kinex {
+
+// The power of the points, and the same for certificates that fail at touches.
+struct PowerPair {
+  std::shared_ptr<const Predicate> plain, touch;
+};
 
 template <class C>
 class RegularGeometry : public LiftedGeometry<C> {
@@ -19,12 +26,14 @@ class RegularGeometry : public LiftedGeometry<C> {
   // `extents`: the weights of points, the radii of discs, whose squares are their weights, or none, in
   // which case all weights are 0.
   RegularGeometry(Kernel& kernel, Extents extents, ObjectId infinity);
+  // Without weights: the Delaunay triangulation.
+  RegularGeometry(Kernel& kernel, ObjectId infinity) requires(Complex::kAxes == 3);
 
   bool reads_radii() const { return radii_; }
 
   // The claim of a facet: of the cell `s` on one side, whose place i is opposite, and the apex on the other
-  // side. All finite: the apex is not below the plane of s. Else the orientation of the finite points; that
-  // of a facet of the hull fails at touches, too.
+  // side. All finite: the apex is not below the plane of s. Else the orientation of the finite points. That
+  // of the hull's edges (in the plane, vertices) fails at failures only, all others at touches, too.
   Query claim(const Simplex& s, unsigned i, ObjectId apex) const;
   // What has to hold where claim() is identically zero. All finite: the orientation by which the ties
   // decide. Of two ghosts: the hull does not turn back. Else the claim itself: s is identically flat.
@@ -33,12 +42,13 @@ class RegularGeometry : public LiftedGeometry<C> {
   bool is_bad(const Simplex& s, unsigned i, ObjectId apex) const;
 
  private:
+  RegularGeometry(Kernel& kernel, PowerPair powers, bool radii, ObjectId infinity);
   // Of two ghosts whose facets are identically in one plane: that these are on different sides of the face
   // which they share.
   Query unfolded_claim(const Simplex& s, unsigned i, ObjectId apex) const;
 
   bool radii_;
-  PredicateId touch_;     // the orientation, for certificates that fail at touches
+  PredicateId power_touch_, touch_;  // the power and the orientation, for certificates: they fail at touches
   PredicateId unfolded_;  // a corner, the face of two, the other corner
 };
 

@@ -13,7 +13,7 @@ RegularTriangulation<Complex>::RegularTriangulation(Kernel& kernel, StructureId 
     : Base(kernel, id, scene.objects.size(),
            RegularGeometry<Complex>(kernel, scene.extents,
                                     static_cast<ObjectId>(scene.objects.size())),
-           facets, {kinds.retile, kinds.blocked}),
+           facets, {kinds.retile, kinds.blocked, kinds.touch}),
       present_(scene.objects.size(), false),
       kinds_(kinds),
       witnesses_(kernel, id, "witnesses"),
@@ -33,7 +33,7 @@ void RegularTriangulation<Complex>::set_certificate(Facet f) {
   Outlook outlook = this->facets_.set(label, query, f);
   if (outlook == Outlook::kIdenticallyZero) {
     ++ties_;
-    outlook = this->facets_.set(label, tie_claim_of(f), f);
+    outlook = this->facets_.set(label, this->tie_claim_of(f), f);
   }
   this->store_.set_label(f, label);
   if (outlook != Outlook::kIdenticallyZero) return;
@@ -41,68 +41,18 @@ void RegularTriangulation<Complex>::set_certificate(Facet f) {
   this->kernel_->settle_later(this->id_);
 }
 
-// New motions of v: which of its claims are identically zero may have changed.
-template <class Complex>
-void RegularTriangulation<Complex>::renew_about(ObjectId v) {
-  std::vector<Cell> star;
-  Complex::star(this->store_, v, star);
-  for (const Cell c : star) {
-    for (Facet side = Complex::kCorners * c; side < Complex::kCorners * (c + 1); ++side) {
-      const CertificateId label = this->store_.label(side);
-      if (this->corrupt_ || label == kNoCertificate) continue;
-      const Facet f = this->kernel_->tag(label);
-      if (this->facets_.is_tie(label) || !this->kernel_->claims(label, this->claim_of(f))) {
-        set_certificate(f);
-      }
-    }
-  }
-}
-
 template <class Complex>
 void RegularTriangulation<Complex>::certificate_failed(CertificateId failed) {
   if (this->corrupt_) return;
   if (witnesses_.owns(failed)) return witness_failed(witnesses_.failed(failed));
   const Facet f = this->facets_.failed(failed);
-  const ObjectId infinity = this->store_.infinity();
-  const bool on_hull = this->store_.apex(f) == infinity ||
-                       this->store_.apex(Complex::mate(this->store_, f)) == infinity;
-  if (on_hull && this->kernel_->is_exact() &&
-      this->kernel_->sign_after(this->claim_of(f)) == Sign::kPositive) {
-    return touched(f);
-  }
+  if (this->touched(f)) return;
   this->note_change(this->points_of(f));
   if (repair(f)) {
     ++changes_;
   } else {
     this->blocked(f);
   }
-}
-
-// The certificate of a facet of the hull is zero at now, and positive right after. Where its vertices are
-// on one line, in the plane at one place, what goes around them may wind twice from now on.
-template <class Complex>
-void RegularTriangulation<Complex>::touched(Facet f) {
-  set_certificate(f);
-  const Facet g = Complex::mate(this->store_, f);
-  const ObjectId apex = std::min(this->store_.apex(f), this->store_.apex(g));  // the finite one
-  std::array<ObjectId, Complex::kCorners> ids{};
-  std::size_t count = 0;
-  for (const ObjectId v : Complex::simplex(this->store_, Complex::cell(f))) {
-    if (v != this->store_.apex(f)) ids[count++] = v;
-  }
-  ids.back() = apex;
-  bool degenerate = false;
-  if constexpr (Complex::kAxes == 2) {
-    degenerate = this->geometry_.equal(ids[0], ids[1], When::kNow);
-  } else {
-    degenerate = this->geometry_.on_line(ids[0], ids[1], ids[2], When::kNow);
-  }
-  if (degenerate) {
-    this->suspect_all(ids);
-    this->kernel_->settle_later(this->id_);
-  }
-  std::sort(ids.begin(), ids.end() - 1);
-  this->report_points(kinds_.touch, ids, false);
 }
 
 // ---- construction
@@ -196,7 +146,7 @@ void RegularTriangulation<Complex>::motions_changed(std::span<const ObjectId> ob
   this->moved_.insert(this->moved_.end(), objects.begin(), objects.end());
   if (this->corrupt_) return;
   witness_ties_.note_of(witnesses_, objects);
-  for (const ObjectId v : objects) renew_about(v);
+  for (const ObjectId v : objects) this->renew_about(v);
 }
 
 // ---- what there is

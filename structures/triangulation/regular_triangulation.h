@@ -17,17 +17,8 @@
 // touches zero only. So a claim that is identically zero is replaced by the orientation that decides, or by
 // the order in the plane.
 //
-// Degenerate instants: sewn_triangulation.h. A hidden point whose witness fails when others fail, too,
-// waits until all is sewn; then hidden points are located anew.
-//
-// The hull may come to wind around twice without a failure: where vertices of a facet of the hull come to
-// be on one line, in the plane at one place, the orientations at it touch zero only if its neighbours cross
-// it just then. (The star of any other vertex winds around twice only if the hull does.) So the
-// certificates of facets of the hull fail at touches, too, and what goes around there is examined.
-//
-//            v  u           x             In the plane. Before, after: u and v on the hull meet at height
-//    .   x         y   .        v  u   y  0 and pass, x and y cross that height. All turns are left turns,
-//                                         before and after; after they add up to two full turns.
+// Degenerate instants, and hulls that would wind around twice: sewn_triangulation.h. A hidden point whose
+// witness fails when others fail, too, waits until all is sewn; then hidden points are located anew.
 #ifndef KINEX_STRUCTURES_TRIANGULATION_REGULAR_TRIANGULATION_H
 #define KINEX_STRUCTURES_TRIANGULATION_REGULAR_TRIANGULATION_H
 
@@ -88,7 +79,6 @@ class RegularTriangulation : public SewnTriangulation<RegularGeometry<Complex>> 
   // possible.
   virtual bool repair(Facet f) = 0;
   void set_certificate(Facet f) override;
-  bool is_wrong_tie(Facet) const override { return true; }
   void construct() override;
   StaticResult build_patch(std::span<const ObjectId> vertices) override;
   void filled(const std::vector<Simplex>& old, const std::vector<Simplex>& filling) override;
@@ -117,13 +107,6 @@ class RegularTriangulation : public SewnTriangulation<RegularGeometry<Complex>> 
   };
 
   // ---- regular_triangulation.cpp: certificates
-  Query tie_claim_of(Facet f) const {
-    return this->geometry_.claim_of_tie(Complex::simplex(this->store_, Complex::cell(f)),
-                                        Complex::place(f),
-                                        this->store_.apex(Complex::mate(this->store_, f)));
-  }
-  void renew_about(ObjectId v);
-  void touched(Facet f);
 
   // ---- regular_hidden.cpp: hidden points
   Query witness_query(ObjectId h, std::size_t i) const;

@@ -6,7 +6,6 @@
 #include "structures/parts/merge_sort.h"
 #include "structures/parts/sort_unique.h"
 #include "structures/triangulation/regular_geometry.h"
-#include "structures/triangulation/space_geometry.h"
 
 namespace kinex {
 
@@ -38,6 +37,20 @@ void SewnTriangulation<Geometry>::drop_certificate(Facet f) {
   CertificateId slot = store_.label(f);
   if (!corrupt_) facets_.drop(slot);
   store_.set_label(f, kNoCertificate);
+}
+
+template <class Geometry>
+void SewnTriangulation<Geometry>::renew_about(ObjectId v) {
+  std::vector<Cell> star;
+  Complex::star(store_, v, star);
+  for (const Cell c : star) {
+    for (Facet side = Complex::kCorners * c; side < Complex::kCorners * (c + 1); ++side) {
+      const CertificateId label = store_.label(side);
+      if (corrupt_ || label == kNoCertificate) continue;
+      const Facet f = kernel_->tag(label);
+      if (facets_.is_tie(label) || !kernel_->claims(label, claim_of(f))) set_certificate(f);
+    }
+  }
 }
 
 template <class Geometry>
@@ -107,6 +120,41 @@ void SewnTriangulation<Geometry>::blocked(Facet f) {
   report_points(kinds_.blocked, ids, false);
 }
 
+// All other points of a finite facet are on one sphere, and cells there may have turned over; those around
+// vertices on one line, in the plane at one place, of a facet of the hull may wind twice from now on.
+template <class Geometry>
+bool SewnTriangulation<Geometry>::touched(Facet f) {
+  const Query claim = claim_of(f);
+  if (!kernel_->is_exact() || !kernel_->fails_at_touch(claim) ||
+      kernel_->sign_after(claim) != Sign::kPositive) {
+    return false;
+  }
+  set_certificate(f);
+  Points ids = points_of(f);
+  std::sort(ids.begin(), ids.end());
+  const bool on_hull = ids.back() == store_.infinity();
+  if (on_hull) {  // its vertices, then the point, then infinity
+    const ObjectId point = std::min(store_.apex(f), store_.apex(Complex::mate(store_, f)));
+    std::stable_partition(ids.begin(), ids.end() - 1, [point](ObjectId v) { return v != point; });
+  }
+  if (!on_hull || is_degenerate_now(ids)) {
+    suspect_all(ids);
+    kernel_->settle_later(id_);
+  }
+  report_points(kinds_.touch, ids, false);
+  return true;
+}
+
+// The points of a facet of the hull are on one line, in the plane at one place, at now itself.
+template <class Geometry>
+bool SewnTriangulation<Geometry>::is_degenerate_now(const Points& ids) const {
+  if constexpr (Complex::kAxes == 2) {
+    return geometry_.equal(ids[0], ids[1], When::kNow);
+  } else {
+    return geometry_.on_line(ids[0], ids[1], ids[2], When::kNow);
+  }
+}
+
 // Cells about the suspects that cannot stay.
 template <class Geometry>
 std::vector<typename SewnTriangulation<Geometry>::Cell> SewnTriangulation<Geometry>::wrong_cells() {
@@ -121,7 +169,7 @@ std::vector<typename SewnTriangulation<Geometry>::Cell> SewnTriangulation<Geomet
     if (!geometry_.upright(Complex::simplex(store_, c))) wrong.push_back(c);
     for (Facet f = Complex::kCorners * c; f < Complex::kCorners * (c + 1); ++f) {
       const CertificateId label = store_.label(f);
-      if (label != kNoCertificate && !(facets_.is_tie(label) && is_wrong_tie(f))) continue;
+      if (label != kNoCertificate && !facets_.is_tie(label)) continue;
       wrong.push_back(c);
       wrong.push_back(Complex::cell(Complex::mate(store_, f)));
     }
@@ -161,9 +209,25 @@ void SewnTriangulation<Geometry>::add_cells_at_meetings(std::vector<Cell>& cells
 
 // ---- sewing
 
-// False if everything would have to be sewn.
+// The new cells may fit to those around them, and go round an edge twice with them: all these are then
+// sewn, too.
 template <class Geometry>
 bool SewnTriangulation<Geometry>::sew(std::vector<Cell> cells, const Guests& guests) {
+  if (!sew_once(std::move(cells), guests)) return false;
+  if constexpr (Complex::kAxes == 3) {
+    for (int times = 0;; ++times) {
+      std::vector<Cell> wound;
+      add_windings(fresh_, wound);
+      if (wound.empty()) break;
+      if (times == kMostWindings || !sew_once(std::move(wound), {})) return false;
+    }
+  }
+  return true;
+}
+
+// False, with nothing changed, if everything would have to be sewn.
+template <class Geometry>
+bool SewnTriangulation<Geometry>::sew_once(std::vector<Cell> cells, const Guests& guests) {
   std::vector<ObjectId> vertices;
   std::vector<Facet> rim;
   std::vector<Simplex> filling;
@@ -413,6 +477,5 @@ std::size_t SewnTriangulation<Geometry>::common_bytes() const {
 
 template class SewnTriangulation<RegularGeometry<PlaneComplex>>;
 template class SewnTriangulation<RegularGeometry<SpaceComplex>>;
-template class SewnTriangulation<SpaceGeometry>;
 
 }  // namespace kinex

@@ -44,8 +44,19 @@
 
 namespace kinex {
 
-// Geometry: a LiftedGeometry with claim(simplex, place, apex) and is_bad of a facet: a SpaceGeometry or a
+// Geometry: a LiftedGeometry with claim(simplex, place, apex), claim_of_tie and is_bad of a facet: a
 // RegularGeometry.
+//
+// Touches. Two things can go wrong without a failure, so the certificates of facets fail at touches, too:
+//   - A cell turns over. It is flat at an instant at which its sphere is finite: all its powers are zero
+//     then, and each may touch zero only.
+//   - Cells wind around twice. Where vertices of a facet of the hull come to be on one line (in the plane:
+//     at one place) the orientations at it touch zero only if its neighbours cross it just then. The star
+//     of any other vertex winds around twice only if the hull does.
+//
+//            v  u           x             In the plane. Before, after: u and v on the hull meet at height
+//    .   x         y   .        v  u   y  0 and pass, x and y cross that height. All turns are left turns,
+//                                         before and after; after they add up to two full turns.
 template <class Geometry>
 class SewnTriangulation : public Structure {
  public:
@@ -78,7 +89,7 @@ class SewnTriangulation : public Structure {
   using Points = std::array<ObjectId, kPoints>;
   // The ranks of two kinds of events.
   struct Kinds {
-    std::uint8_t retile, blocked;
+    std::uint8_t retile, blocked, touch;
   };
   // What a sew takes away and brings besides the vertices of its cells.
   struct Guests {
@@ -90,10 +101,9 @@ class SewnTriangulation : public Structure {
                     const std::string& part, Kinds kinds);
 
   // ---- what its structures add
-  // Certifies the facet. A tie that is not as it should be is mended when the instant is settled.
+  // Certifies the facet: its claim, or that of its tie. If that is identically zero, too, a cell is flat or
+  // the hull is folded, which is mended when the instant is settled.
   virtual void set_certificate(Facet f) = 0;
-  // The certificate of the facet, which is identically zero, says that something is wrong.
-  virtual bool is_wrong_tie(Facet f) const = 0;
   // Builds everything by the static algorithm.
   virtual void construct() = 0;
   // Triangulates the vertices, ascending, in `patch_`.
@@ -114,6 +124,13 @@ class SewnTriangulation : public Structure {
     return geometry_.claim(Complex::simplex(store_, Complex::cell(f)), Complex::place(f),
                            store_.apex(Complex::mate(store_, f)));
   }
+  // What has to hold where claim_of(f) is identically zero.
+  Query tie_claim_of(Facet f) const {
+    return geometry_.claim_of_tie(Complex::simplex(store_, Complex::cell(f)), Complex::place(f),
+                                  store_.apex(Complex::mate(store_, f)));
+  }
+  // New motions of v: which of its claims are identically zero may have changed.
+  void renew_about(ObjectId v);
   bool is_bad(Facet f) const {
     return geometry_.is_bad(Complex::simplex(store_, Complex::cell(f)), Complex::place(f),
                             store_.apex(Complex::mate(store_, f)));
@@ -137,6 +154,9 @@ class SewnTriangulation : public Structure {
   void note_change(const Points& points);
   // A change has renewed the certificates of `rim`; `zeros`: possible_zeros() before.
   void after_change(std::span<const Facet> rim, std::uint64_t zeros);
+  // True if the failed certificate is zero at now only, and positive right after: it is certified again, and
+  // a touch is reported. Never so in an inexact arithmetic.
+  bool touched(Facet f);
   // No flip is possible yet: the facet goes without a certificate until the instant is settled.
   void blocked(Facet f);
   // Reports an event of these points, without the last one if that is infinity.
@@ -144,6 +164,7 @@ class SewnTriangulation : public Structure {
   void report_points(std::uint8_t kind, const std::array<ObjectId, kCount>& ids, bool external);
 
   // ---- sewing
+  // False: everything is to be built anew.
   bool sew(std::vector<Cell> cells, const Guests& guests);
   // Replaces cells, with their certificates. False, with nothing changed, if the new ones do not fit.
   bool fill(const std::vector<Cell>& cells, const std::vector<Simplex>& filling);
@@ -173,8 +194,11 @@ class SewnTriangulation : public Structure {
   std::vector<Cell> fresh_;
 
  private:
+  static constexpr int kMostWindings = 8;  // sews in a row, each because of the one before
+  bool sew_once(std::vector<Cell> cells, const Guests& guests);
   bool find_patch(const std::vector<Facet>& rim, const std::vector<ObjectId>& vertices,
                   std::vector<Simplex>& filling, std::vector<Cell>& more) const;
+  bool is_degenerate_now(const Points& ids) const;
   std::vector<Cell> wrong_cells();
   void add_cells_at_meetings(std::vector<Cell>& cells) const;
   void mend();

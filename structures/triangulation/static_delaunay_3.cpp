@@ -8,7 +8,7 @@ namespace kinex {
 namespace {
 
 // The order along a curve. Of identically equal points the smallest id is kept.
-std::vector<ObjectId> quick_order(const SpaceGeometry& geometry, std::span<const ObjectId> points,
+std::vector<ObjectId> quick_order(const RegularGeometry<SpaceComplex>& geometry, std::span<const ObjectId> points,
                                   std::vector<std::pair<ObjectId, ObjectId>>& hidden) {
   std::vector<RankedPoint<3>> all = ranked<3>(geometry.kernel(), geometry.orders(), points);
   std::size_t kept = 0;
@@ -25,7 +25,7 @@ std::vector<ObjectId> quick_order(const SpaceGeometry& geometry, std::span<const
 
 }  // namespace
 
-StaticResult build_static(const SpaceGeometry& geometry, std::span<const ObjectId> points,
+StaticResult build_static(const RegularGeometry<SpaceComplex>& geometry, std::span<const ObjectId> points,
                           bool quick, Triangulation3& store,
                           std::vector<std::pair<ObjectId, ObjectId>>& hidden) {
   store.clear();
