@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/arithmetic/query_relation.h"
+#include "core/arithmetic/touch.h"
 #include "core/numbers/check.h"
 #include "core/numbers/exactly.h"
 
@@ -200,9 +201,11 @@ int EventQueue::compare_times(Entry& a, Entry& b) {
   if (later_a) return -compare_to_limit(b, a.lo);
   if (later_b) return compare_to_limit(a, b.lo);
   const Query qa = query(ca), qb = query(cb);
-  // Both hold until they fail for the first time, so one polynomial has one failure.
-  if (qa.predicate == qb.predicate &&
-      query_relation(qa, qb, arithmetic_->predicate(qa.predicate).alternating()) > 0) {
+  // Both hold until they fail for the first time, so one polynomial has one failure; but after a touch one
+  // of them may have been certified anew, to its next root, while the other one waits for its turn.
+  const Predicate& predicate = arithmetic_->predicate(qa.predicate);
+  if (qa.predicate == qb.predicate && query_relation(qa, qb, predicate.alternating()) > 0 &&
+      dynamic_cast<const FailsAtTouch*>(&predicate) == nullptr) {
     return 0;
   }
   FailureTime ta{a.lo, a.hi, ca.root};

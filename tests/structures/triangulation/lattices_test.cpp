@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Triangulations on lattices where degenerate instants are common, audited after every event and compared
 // with `sturm`: in space, and with weights.
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
@@ -44,6 +45,18 @@ TEST(Delaunay3Lattices, EveryRuleIsNeeded) {
     SCOPED_TRACE(std::to_string(seed) + ", n = " + std::to_string(n));
     expect_clean(lattice_scene(seed, n, 3), "delaunay_3");
     expect_clean(weighted_lattice(seed, n, 3, 0), "regular_3");
+  }
+}
+
+// Three certificates of one polynomial touch zero at t = 1 and fail at t = 2: each is handled at both, though the
+// first one is certified anew, to t = 2, before the others are handled at t = 1.
+TEST(Regular3Lattices, CertificatesOfOnePolynomialTouchOneAfterTheOther) {
+  for (const char* arithmetic : {"exact", "sturm"}) {
+    const Scene scene = weighted_lattice(64, 5, 3);
+    Trial trial(scene, "regular_3", arithmetic);
+    trial.to_end();
+    EXPECT_EQ(trial.simulator.violations(), std::vector<std::string>{});
+    EXPECT_EQ(std::count(trial.sink.lines.begin(), trial.sink.lines.end(), "regular_3 touch 0 1 2 3 4"), 3);
   }
 }
 
