@@ -100,12 +100,14 @@ struct CaliperRun {
     }
     void instant_ended() override {
       if (changed_.empty()) return;
+      history.emplace_back(changed_, run_->ids());
       std::string value = changed_ + ":";
       for (const ObjectId object : run_->ids()) value += " " + std::to_string(object);
       values.push_back(std::move(value));
       changed_.clear();
     }
     std::vector<std::string> lines, values;
+    std::vector<std::pair<std::string, Ids>> history;  // `values` as data
     std::map<std::string, std::uint64_t> kinds;
     int most = 0;
 

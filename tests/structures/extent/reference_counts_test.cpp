@@ -54,6 +54,30 @@ void expect_counts(const std::string& what, const Scene& scene, const std::vecto
   }
 }
 
+// How often the edge changes that the strip or the rectangle is flush with: the first two ids.
+int flush_changes(const CaliperRun& run) {
+  int changes = 0;
+  Ids before(run.begins_with.begin(), run.begins_with.begin() + 2);
+  for (const auto& [instant, ids] : run.sink.history) {
+    const Ids edge(ids.begin(), ids.begin() + 2);
+    changes += edge != before ? 1 : 0;
+    before = edge;
+  }
+  return changes;
+}
+
+// The sides of the box that change, in all.
+int sides_changed(const CaliperRun& run) {
+  int sides = 0;
+  Ids before = run.begins_with;
+  for (const auto& [instant, ids] : run.sink.history) {
+    for (std::size_t side = 0; side < ids.size(); ++side)
+      sides += ids[side] != before[side] ? 1 : 0;
+    before = ids;
+  }
+  return sides;
+}
+
 std::string size(int n, int m) { return std::to_string(n) + ", " + std::to_string(m); }
 
 TEST(ReferenceCounts, Vernier) {
@@ -87,6 +111,24 @@ TEST(ReferenceCounts, Comb) {
   }
 }
 
+// Of the changes of the comb those after which the attribute is flush with another edge.
+TEST(ReferenceCounts, FlushEdgesOfTheComb) {
+  for (const auto& [n, m] : {std::pair{1, 3}, {2, 2}, {2, 3}, {3, 2}}) {
+    for (const std::string& hull : kHulls) {
+      for (const char* structure :
+           {"width_2", "min_area_rectangle_2", "min_perimeter_rectangle_2"}) {
+        SCOPED_TRACE("comb " + size(n, m) + ": " + structure + " over " + hull);
+        for (const char* arithmetic : {"exact", "sturm"}) {
+          const CaliperRun run(comb(n, m), structure, hull, arithmetic);
+          EXPECT_EQ(flush_changes(run), n * (m - 1) + 2 * (n - 1)) << arithmetic;
+        }
+      }
+      const CaliperRun calipers(comb(n, m), "calipers_2", hull);
+      EXPECT_GE(calipers.count("antiparallel"), static_cast<std::uint64_t>((n - 1) * m));
+    }
+  }
+}
+
 TEST(ReferenceCounts, SeeSaw) {
   for (const auto& [n, m] : {std::pair{2, 2}, {3, 2}, {2, 3}, {3, 3}}) {
     const int circle = 3 * n * m - n - m - 1;
@@ -97,6 +139,34 @@ TEST(ReferenceCounts, SeeSaw) {
                    {"farthest_delaunay_2", "", (n - 1) * (m - 1)},
                    {"farthest_delaunay_2", "flip", (n - 1) * (m - 1)},
                    {"diameter_2", "", n * m - 1}});
+  }
+}
+
+// Two points: each change of an axis exchanges both of its sides.
+TEST(ReferenceCounts, BoxOfTwoPoints) {
+  expect_counts("two points", dual_circles(2),
+                {{"bounding_box", "", 2}, {"bounding_box_2_hull", "", 2}});
+  for (const std::string& hull : kAllHulls) {
+    SCOPED_TRACE(hull);
+    const CaliperRun run(dual_circles(2), "bounding_box_2_hull", hull);
+    EXPECT_EQ(sides_changed(run), 4);
+  }
+}
+
+// The axes are among the directions, so the box is exact.
+TEST(ReferenceCounts, BoxAlongDirections) {
+  for (const int n : {2, 3, 4, 5, 6}) {
+    for (const std::vector<std::string>& same : kHullsOfDirections) {
+      for (const std::string& hull : same) {
+        SCOPED_TRACE("dual circles " + std::to_string(n) + " over " + hull);
+        const CaliperRun exact(dual_circles(n), "bounding_box_2_hull", hull);
+        const CaliperRun sturm(dual_circles(n), "bounding_box_2_hull", hull, "sturm");
+        const CaliperRun box(dual_circles(n), "bounding_box", "");
+        EXPECT_EQ(exact.ledger().external, n == 2 ? 2u : 2u * static_cast<unsigned>(n));
+        EXPECT_EQ(exact.values(), box.values());
+        EXPECT_EQ(exact.sink.lines, sturm.sink.lines);
+      }
+    }
   }
 }
 
@@ -176,11 +246,12 @@ TEST(ReferenceCounts, NothingButTheBox) {
   const Scene square = scene_of({path({{0, 1}, {0, 2}}), path({{1, 1}, {0, 2}}),
                                  path({{1, 1}, {1, 2}}), path({{0, 1}, {1, 2}})},
                                 0, Rational(9));
-  std::vector<Count> counts{{"calipers_2", "", 0},          {"calipers_2_4", "", 0},
-                            {"diameter_2", "", 0},          {"width_2", "", 0},
+  std::vector<Count> counts{{"calipers_2", "", 0},           {"calipers_2_4", "", 0},
+                            {"diameter_2", "", 0},           {"width_2", "", 0},
                             {"min_area_rectangle_2", "", 0}, {"min_perimeter_rectangle_2", "", 0},
-                            {"farthest_delaunay_2", "", 0}, {"min_circle_2", "", 0},
-                            {"bounding_box", "", 0},        {"bounding_box_2_hull", "", 0}};
+                            {"farthest_delaunay_2", "", 0},  {"min_circle_2", "", 0},
+                            {"bounding_box", "", 0},         {"bounding_box_2_hull", "", 0},
+                            {"diameter_all_pairs", "", 0},   {"min_circle_2_brute_force", "", 0}};
   expect_counts("square", square, counts);
   counts[8].events = counts[9].events = 1;  // four sides, at one instant
   expect_counts("through one point", through_origin(8, Rational(-1)), counts);
