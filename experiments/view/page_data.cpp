@@ -119,11 +119,28 @@ void write_key(formats::JsonWriter& json, const RecordedStructure& structure, co
   json.end_object();
 }
 
+void write_directions(formats::JsonWriter& json, const RecordedStructure& structure) {
+  json.key("directions").begin_array();
+  for (const std::vector<Rational>& vector : structure.directions) {
+    json.begin_array();
+    for (const Rational& c : vector) write_double(json, c.to_double());
+    json.end_array();
+  }
+  json.end_array();
+  if (structure.members.empty()) return;
+  json.key("members").begin_array();
+  for (std::size_t object = 0; object < structure.members.size(); ++object) {
+    if (structure.members[object]) json.number(std::uint64_t{object});
+  }
+  json.end_array();
+}
+
 void write_structures(formats::JsonWriter& json, const RecordedRun& run, const Scene& scene) {
   json.key("structures").begin_array();
   for (const RecordedStructure& structure : run.structures) {
     json.begin_object().key("label").string(structure.label).key("name").string(structure.name);
     json.key("role").string(structure.role);
+    if (!structure.directions.empty()) write_directions(json, structure);
     json.key("shape").string(shape_name(structure.initial.shape));
     json.key("width").number(int{structure.initial.width}).key("key");
     write_key(json, structure, scene);

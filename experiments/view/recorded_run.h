@@ -53,6 +53,8 @@ struct RecordedQuery {
 struct RecordedStructure {
   std::string label, name;
   std::string role;  // StructureInfo::role
+  std::vector<std::vector<Rational>> directions;  // directions_of() the request
+  std::vector<bool> members;  // by object, true for those that it is built from; empty: all
   Key key;
   bool has_key = false;
   std::vector<std::string> kinds;

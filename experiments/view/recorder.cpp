@@ -191,7 +191,11 @@ class Recorder final : public EventSink {
       record.key = planned.request.key;
       const StructureInfo* info = find_structure_info(planned.request.structure);
       record.has_key = (info != nullptr && info->uses_key) || scene_.dimension == 1;
-      if (info != nullptr) record.role = std::string(info->role);
+      if (info != nullptr) {
+        record.role = std::string(info->role);
+        record.directions = directions_of(*info, planned.request, scene_.dimension);
+      }
+      record.members = planned.members;
       if (!planned.watches.empty()) record.proof.reads = planned.watches.front();
       simulator_->add(
           id, std::make_unique<WatchedStructure>(std::move(structure), [this, id] { look(id); }),

@@ -93,6 +93,7 @@ std::vector<StructureInfo> direction_structures() {
 
   StructureInfo width = diameter;
   width.name = "width_directions";
+  width.role = "strip_along";
   width.any_dimension = false;
   width.parameters = base.parameters;
   width.summary = "the width of points in the plane, by their extents along 2k directions";
@@ -100,6 +101,7 @@ std::vector<StructureInfo> direction_structures() {
 
   StructureInfo perimeter = base;
   perimeter.name = "min_perimeter_rectangle_directions";
+  perimeter.role = "perimeter_along";
   perimeter.summary = "the rectangle of least perimeter with sides along one of 2k directions";
   perimeter.parameters[0].summary =
       "4k directions; a perimeter is off by a factor of at most (k + 1) / sqrt(k^2 + 1)";
@@ -114,6 +116,7 @@ std::vector<StructureInfo> direction_structures() {
 
   StructureInfo area = perimeter;
   area.name = "min_area_rectangle_directions";
+  area.role = "area_along";
   area.summary = "the rectangle of least area with sides along one of 2k directions";
   area.parameters[0].summary =
       "4k directions; an area is off by at most 2 D^2 k / (k^2 + 1) for the diameter D";

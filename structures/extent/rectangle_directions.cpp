@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/extent/rectangle_directions.h"
 
+#include <algorithm>
 #include <string>
 
 #include "predicates/points/unit_directions.h"
@@ -23,8 +24,8 @@ RectangleDirections::RectangleDirections(Kernel& kernel, StructureId id, const S
     : kernel_(&kernel),
       id_(id),
       k_(k),
-      maxima_(make_direction_maxima(kernel, id, scene, unit_directions_2(k),
-                                    MaximaChoice::kByDegree)),
+      maxima_(
+          make_direction_maxima(kernel, id, scene, unit_directions_2(k), MaximaChoice::kByDegree)),
       boxes_(kernel, id, "boxes", BoxClaims(kernel, sides(k), measure)),
       events_(kernel, id, Attribute::Shape::kSequence) {
   for (std::size_t i = 0; i < boxes(); ++i) current_.push_back(box(i));
@@ -104,25 +105,41 @@ void RectangleDirections::motions_changed(std::span<const ObjectId> objects) {
 
 void RectangleDirections::visit_proof(ProofVisitor& visitor) const {
   maxima_->visit_proof(visitor);
-  visit_tournament(visitor, boxes_, static_cast<std::uint32_t>(maxima_->size()),
-                   "boxes, the smallest wins", [](const Value& winner) {
-                     return std::vector<ObjectId>(winner.begin() + 1, winner.end());
-                   });
+  visit_tournament(
+      visitor, boxes_, static_cast<std::uint32_t>(maxima_->size()), "boxes, the smallest wins",
+      [](const Value& winner) { return std::vector<ObjectId>(winner.begin() + 1, winner.end()); });
 }
 
 std::vector<BoundCheck> RectangleDirections::bounds(const BoundContext& context) const {
   const StructureLedger& ledger = *context.ledger;
   const std::string name(this->name());
   const Integer all = counted(boxes());
-  return {at_most(name + ".certificates", "those of the extreme objects, and of the boxes",
-                  maxima_->most_certificates(context) + all, counted(ledger.max_live)),
-          at_most(name + ".locality", "those of the extreme objects, and of the boxes",
-                  maxima_->most_per_object(context) + all, counted(ledger.max_per_object)),
-          at_most(name + ".events",
-                  "those of the extreme objects, and the epochs of the tournament",
-                  maxima_->most_failures(context) +
-                      boxes_.most_failures(boxes_.claims().degree(context.degree)),
-                  counted(ledger.failures))};
+  std::vector<BoundCheck> result{
+      at_most(name + ".certificates", "those of the extreme objects, and of the boxes",
+              maxima_->most_certificates(context) + all, counted(ledger.max_live)),
+      at_most(name + ".locality", "those of the extreme objects, and of the boxes",
+              maxima_->most_per_object(context) + all, counted(ledger.max_per_object)),
+      at_most(name + ".events", "those of the extreme objects, and the epochs of the tournament",
+              maxima_->most_failures(context) +
+                  boxes_.most_failures(boxes_.claims().degree(context.degree)),
+              counted(ledger.failures))};
+  if (context.plain() && context.degree <= 1) {
+    result.push_back(at_most(name + ".external",
+                             "the changes of all sides, and of the order of each two boxes",
+                             most_changes(counted(context.objects())), counted(ledger.external)));
+  }
+  return result;
+}
+
+// For n lines: both sides across a direction change n times in all, so a box has 2n + 1 pieces at
+// most, and two of them have 4n + 1 joint ones. On each the measures are polynomials of degree 1 or 2,
+// and continuous where pieces meet. For the perimeter also the pieces of a lower envelope of segments.
+Integer RectangleDirections::most_changes(const Integer& n) const {
+  const Integer k = counted(boxes()), one(1), two(2);
+  const Integer degree = is_area() ? two : one;
+  const Integer crossings = pairs(k) * degree * (Integer(4) * n + one) + two * k * n;
+  if (is_area()) return crossings;
+  return std::min(crossings, davenport_schinzel_bound(3, k * (two * n + one)) - one);
 }
 
 void RectangleDirections::check_invariants(AuditReport& report) const {

@@ -22,7 +22,8 @@
 //
 // since the best rectangle (W by H), turned by the angle y <= atan(1/k) to the nearest direction, has
 // the extents H cos y + W sin y and W cos y + H sin y. The tournament has k - 1 certificates; a failure
-// renews O(log k) of them.
+// renews O(log k) of them. For n points that move linearly the rectangle changes O(k^2 n) times: the sides
+// of the boxes do 2kn times, and the order of two boxes 4n + 1 times (perimeter) or twice that (area).
 //
 // Attribute. The extreme objects in the direction of the best box, in the opposite one, and in both
 // turned by 90 degrees; empty if all points coincide.
@@ -106,6 +107,7 @@ class RectangleDirections final : public Structure {
   void read_all();
   std::vector<ObjectId> touched() const;
   void begin();
+  Integer most_changes(const Integer& n) const;  // of the rectangle, for n points in linear motion
 
   Kernel* kernel_;
   StructureId id_;

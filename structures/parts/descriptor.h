@@ -108,7 +108,8 @@ struct StructureInfo {
   std::vector<KindRule> kinds = {};
   std::vector<Reading> reads = {};  // the structures that it watches
   Sharing shares = {};
-  std::string_view role = {};       // what it can be read as ("hull"); empty: by its name only
+  // What it can be read as ("hull"), or drawn as ("strip"); empty: by its name only.
+  std::string_view role = {};
   std::vector<ParameterInfo> parameters = {};
   std::string_view instead = {};    // a structure of its group that takes every scene; empty: itself
   bool weights = false;  // it reads the weights of points, or the radii of discs

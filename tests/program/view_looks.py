@@ -319,6 +319,62 @@ def check_figures(viewer):
             fail(f"{name} is not drawn: {drawn} pixels")
 
 
+def check_figures_along(viewer):
+    """The least strip and boxes along fixed directions touch the points that are named, are along a direction, hold all points that
+    the structure is built from, and are the least of all directions, found here from the points."""
+    some = [f"p{i}" for i in range(12)]
+    maintain = [{"structure": name, "k": k, "as": f"{name}_{k}", **of}
+                for name in ("width_directions", "min_area_rectangle_directions", "min_perimeter_rectangle_directions")
+                for k, of in ((1, {}), (2, {}), (5, {}), (3, {"of": some}))]
+    viewer.kinex("gen", "uniform-square", "--n", "25", "--seed", "1", "-o", "along.json")
+    scene = json.loads((viewer.folder / "along.json").read_text())
+    scene["maintain"] = maintain
+    (viewer.folder / "along.json").write_text(json.dumps(scene))
+    viewer.kinex("view", "along.json", "-o", "along.html")
+    viewer.open("along.html")
+    for index, one in enumerate(maintain):
+        k, sides = one["k"], 1 if one["structure"].startswith("width") else 2
+        angles = [2 * math.atan(i / k) + turn for turn in (0, math.pi / 2) for i in range(k)]
+        for u in (0.02, 0.3, 0.55, 0.9):
+            seen = viewer.ask(f"(() => {{ app.setStructure({index}); app.setTime({u}); app.draw(); const plane = app.drawing;"
+                              " return { ids: app.replay.row, figure: OUTLINES[DATA.structures[app.shown()].role](plane, app.replay.row),"
+                              " points: [...Array(OBJECTS).keys()].map(id => plane.at(id)), names: DATA.ids }; })()")
+            # On the screen, where the second axis points down.
+            held = [p for name, p in zip(seen["names"], seen["points"]) if "of" not in one or name in some]
+            at = [seen["points"][i] for i in seen["ids"]]
+            if len(at) != 2 * sides:
+                fail(f"{one} at {u}: {seen['ids']}")
+
+            def extent(angle, points):
+                along = [x * math.cos(angle) - y * math.sin(angle) for x, y in points]
+                return max(along) - min(along)
+
+            if sides == 1:
+                (line, other), drawn = seen["figure"][:2], lambda angle: extent(angle, at)
+                (x0, y0), (x1, y1) = line["from"], line["to"]
+                angle = next((a for a in angles if abs((x1 - x0) * math.cos(a) - (y1 - y0) * math.sin(a)) < 1e-6), None)
+                least = min(extent(a, held) for a in angles)
+                if angle is None or abs(extent(angle, [line["from"], other["from"]]) - least) > 1e-6:
+                    fail(f"{one} at {u}: {seen['figure']}, not of width {least}")
+                if abs(drawn(angle) - least) > 1e-6:
+                    fail(f"{one} at {u}: {seen['ids']} do not touch both lines")
+            else:
+                measure = (lambda w, h: w * h) if "area" in one["structure"] else (lambda w, h: w + h)
+                least = min(measure(extent(a, held), extent(a + math.pi / 2, held)) for a in angles[:k])
+                a, b, _, d = seen["figure"]
+                size = measure(math.dist(a, b), math.dist(a, d))
+                if abs(size - least) > 1e-6 * least:
+                    fail(f"{one} at {u}: {seen['figure']} is {size}, not {least}")
+
+                def outside(p):
+                    s, t = (((p[0] - a[0]) * (q[0] - a[0]) + (p[1] - a[1]) * (q[1] - a[1])) / math.dist(a, q) ** 2 for q in (b, d))
+                    return [-s, s - 1, -t, t - 1]
+
+                touched = [abs(outside(p)[side]) for p, side in zip(at, (1, 0, 3, 2))]
+                if max(max(outside(p)) for p in held) > 1e-6 or max(touched) > 1e-6:
+                    fail(f"{one} at {u}: {seen['figure']} does not touch {seen['ids']}, or not all points are inside")
+
+
 def main():
     chromium = browser()
     source = pathlib.Path(sys.argv[2])
@@ -345,6 +401,7 @@ def main():
             check_sizes(viewer, page)
         check_queries(viewer)
         check_figures(viewer)
+        check_figures_along(viewer)
         check_pictures(viewer, chromium, "square.html", [0, 5, 40, 90])
         (folder / "ships.csv").write_text(SHIPS)
         (folder / "hulls.csv").write_text(HULLS)

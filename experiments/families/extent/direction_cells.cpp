@@ -28,7 +28,9 @@ void add_direction_cells(lab::Catalogue& catalogue, lab::Extent extent) {
       cell.expectations.push_back(std::move(expectation));
       catalogue.cells.push_back(std::move(cell));
     }
-    for (const char* structure : {"diameter_directions", "width_directions"}) {
+    for (const char* structure :
+         {"diameter_directions", "width_directions", "min_perimeter_rectangle_directions",
+          "min_area_rectangle_directions"}) {
       lab::Cell cell = lab::worst_case_cell(structure, "box-worst", n, 1, 0.3);
       cell.parameters.dimension = 2;
       catalogue.cells.push_back(std::move(cell));

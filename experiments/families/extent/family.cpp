@@ -33,12 +33,16 @@ lab::FamilyExperiments extent_experiments() {
     return lab::TradePlan{structure,     2,         {12, 128}, worst,
                           {quick, full}, {16, 100}, {8, 48},   {{8, 16}, {16, 64, 256}}};
   };
-  family.trade = {
-      plan("bounding_box", "box-worst", 16, 48), plan("bounding_box_2_hull", "box-worst", 16, 48),
-      plan("directions_2", "box-worst", 16, 48), plan("farthest_delaunay_2", "seesaw", 4, 8),
-      plan("directions_2_tournament", "box-worst", 8, 24),
-      plan("diameter_directions", "box-worst", 16, 48), plan("width_directions", "box-worst", 16, 48),
-      plan("min_circle_2", "seesaw", 4, 8)};
+  family.trade = {plan("bounding_box", "box-worst", 16, 48),
+                  plan("bounding_box_2_hull", "box-worst", 16, 48),
+                  plan("directions_2", "box-worst", 16, 48),
+                  plan("farthest_delaunay_2", "seesaw", 4, 8),
+                  plan("directions_2_tournament", "box-worst", 8, 24),
+                  plan("diameter_directions", "box-worst", 16, 48),
+                  plan("width_directions", "box-worst", 16, 48),
+                  plan("min_perimeter_rectangle_directions", "box-worst", 16, 48),
+                  plan("min_area_rectangle_directions", "box-worst", 16, 48),
+                  plan("min_circle_2", "seesaw", 4, 8)};
   family.trade.push_back({"min_circle_2_brute_force",
                           2,
                           {12, 32},

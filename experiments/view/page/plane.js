@@ -254,9 +254,9 @@ class Plane {
     const { replay, other } = this.app;
     const outlineOf = OUTLINES[DATA.structures[this.app.shown()].role];
     if (outlineOf !== undefined) {
-      if (!replay.lost) drawOutline(context, outlineOf(this, replay.ids), COLOUR.first, []);
-      if (other !== null && !other.lost && other.ids.join() !== replay.ids.join()) {
-        drawOutline(context, outlineOf(this, other.ids), COLOUR.second, [6, 4]);
+      if (!replay.lost) drawOutline(context, outlineOf(this, replay.row), COLOUR.first, []);
+      if (other !== null && !other.lost && other.row.join() !== replay.row.join()) {
+        drawOutline(context, outlineOf(this, other.row), COLOUR.second, [6, 4]);
       }
       return;
     }

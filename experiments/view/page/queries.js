@@ -55,6 +55,44 @@ function drawQuery(context, plane) {
   label(context, text, areaLeft + 40, areaTop + 12, COLOUR.text);
 }
 
+// Of the directions of the shown structure, and of those at right angles to them if there are two sides, the first along which the
+// objects of each side are the extreme ones and the measure of the extents is least: { vectors, ends, extents } by side; null: none.
+function bestAlong(plane, ids, sides, measure) {
+  if (ids.length !== 2 * sides) return null;
+  const {directions, members} = DATA.structures[plane.app.shown()];
+  const along = ([ux, uy]) => id => X[0][id] * ux + X[1][id] * uy;
+  const present = (members || [...Array(OBJECTS).keys()]).filter(id => alive[id] && !IS_LINE[id]);
+  const all = directions.map(u => {
+    const places = present.map(along(u));
+    return [
+      places.reduce((a, b) => Math.min(a, b), Infinity),
+      places.reduce((a, b) => Math.max(a, b), -Infinity)
+    ];
+  });
+  const tolerance = 1e-3 / plane.scale;  // a thousandth of a pixel
+  let best = null, least = Infinity;
+  for (let i = 0; i < directions.length / sides; ++i) {
+    const of = [i, i + directions.length / 2].slice(0, sides);
+    const extents = of.map(j => all[j][1] - all[j][0]);
+    const touched = of.every((j, side) => {
+      const places = ids.slice(2 * side, 2 * side + 2).map(along(directions[j]));
+      return Math.min(...places) - all[j][0] < tolerance &&
+          all[j][1] - Math.max(...places) < tolerance;
+    });
+    if (!touched || !(measure(extents) < least)) continue;
+    least = measure(extents);
+    best = {vectors: of.map(j => directions[j]), ends: of.map(j => all[j]), extents};
+  }
+  return best;
+}
+function boxAlong(plane, ids, measure) {
+  const found = bestAlong(plane, ids, 2, measure);
+  if (found === null) return [];
+  const [[ux, uy], [vx, vy]] = found.vectors, [s, t] = found.ends;
+  return [[0, 0], [1, 0], [1, 1], [0, 1]].map(
+      ([i, j]) => plane.onScreen(s[i] * ux + t[j] * vx, s[i] * uy + t[j] * vy));
+}
+
 // The figures of attributes by the role of the structure: the corners of a box or a rectangle; else shapes (figures.js).
 const OUTLINES = {
   // The least and the largest on each axis. In space all edges, in one line that passes some twice.
@@ -96,6 +134,25 @@ const OUTLINES = {
     return [line(p), line(far), { from: p, to: q, wide: true }, { dot: far },
             { from: far, to: [p[0] + along * ux, p[1] + along * uy], faint: true }];
   },
+  // The figures along fixed directions. A strip: two points, the lines through both across the direction, and the way between.
+  strip_along: (plane, ids) => {
+    const found = bestAlong(plane, ids, 1, ([extent]) => extent);
+    if (found === null) return [];
+    const [[ux, uy]] = found.vectors, [
+      p, q
+    ] = ids.map(id => plane.at(id)).sort((a, b) => a[0] * ux - a[1] * uy - b[0] * ux + b[1] * uy);
+    const [, , width, height] = plane.rectangle, reach = 2 * (width + height);
+    const line = ([x, y]) =>
+        ({from: [x - reach * uy, y - reach * ux], to: [x + reach * uy, y + reach * ux]});
+    const gap = found.extents[0] * plane.scale;
+    return [
+      line(p), line(q), {dot: p}, {dot: q},
+      {from: p, to: [p[0] + gap * ux, p[1] - gap * uy], faint: true}
+    ];
+  },
+  // A box: the points that are extreme along one direction, against it, and along and against the one at right angles to it.
+  area_along: (plane, ids) => boxAlong(plane, ids, ([width, height]) => width * height),
+  perimeter_along: (plane, ids) => boxAlong(plane, ids, ([width, height]) => width + height),
   // The points on the smallest circle: two that are its diameter, or three and more.
   circle: (plane, ids) => {
     const p = ids.map(id => plane.at(id)), dots = p.map(dot => ({ dot }));

@@ -26,6 +26,10 @@ class Replay {
     }
     return tuples;
   }
+  // The ids of the attribute in a row, tuple by tuple if it is a set of tuples.
+  get row() {
+    return this.tuples === null ? this.ids : [...this.tuples.values()].flat();
+  }
   // All pairs that are in one tuple, as numbers; null if the attribute is no set of tuples.
   get edges() {
     if (this.tuples === null || this.sides !== null) return this.sides;

@@ -12,20 +12,23 @@ namespace extent_directions_test {
 
 using Ids = std::vector<ObjectId>;
 
-std::uint64_t run_both(const Scene& scene, int k) {
+std::uint64_t run_all(const Scene& scene, int k) {
   SCOPED_TRACE("k = " + std::to_string(k));
   const DirectionsRun diameter(scene, "diameter_directions", k);
   const DirectionsRun width(scene, "width_directions", k);
-  return diameter.ledger().external + width.ledger().external;
+  const DirectionsRun area(scene, "min_area_rectangle_directions", k);
+  const DirectionsRun perimeter(scene, "min_perimeter_rectangle_directions", k);
+  return diameter.ledger().external + width.ledger().external + area.ledger().external +
+         perimeter.ledger().external;
 }
 
 TEST(ExtentDirections, RandomLattices) {
   std::uint64_t external = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     SCOPED_TRACE(seed);
-    external += run_both(direction_lattice(seed, 1), static_cast<int>(seed % 4) + 1);
+    external += run_all(direction_lattice(seed, 1), static_cast<int>(seed % 4) + 1);
   }
-  EXPECT_GT(external, 1000u);
+  EXPECT_GT(external, 2000u);
 }
 
 TEST(ExtentDirections, RandomLatticesOfHigherDegree) {
@@ -33,10 +36,10 @@ TEST(ExtentDirections, RandomLatticesOfHigherDegree) {
   for (const int degree : {2, 3}) {
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
-      external += run_both(direction_lattice(seed, degree), static_cast<int>(seed % 3) + 1);
+      external += run_all(direction_lattice(seed, degree), static_cast<int>(seed % 3) + 1);
     }
   }
-  EXPECT_GT(external, 300u);
+  EXPECT_GT(external, 600u);
 }
 
 TEST(ExtentDirections, RandomFlights) {
@@ -44,16 +47,16 @@ TEST(ExtentDirections, RandomFlights) {
   for (const int degree : {1, 2, 3}) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
-      external += run_both(random_flights(seed, 9, 2, degree, seed % 2 == 0), 2);
+      external += run_all(random_flights(seed, 9, 2, degree, seed % 2 == 0), 2);
     }
   }
-  EXPECT_GT(external, 100u);
+  EXPECT_GT(external, 200u);
 }
 
 TEST(ExtentDirections, ReferenceScenes) {
   for (const int n : {4, 6, 8, 10}) {
     SCOPED_TRACE(n);
-    for (const int k : {1, 2, 7}) run_both(remainders(n), k);
+    for (const int k : {1, 2, 7}) run_all(remainders(n), k);
   }
 }
 
@@ -64,8 +67,8 @@ TEST(ExtentDirections, NoPointToThree) {
     for (int i = 0; i < n; ++i) t.push_back(path({{4 * i, i == 1 ? -3 : 0}, {i * i, 1 - i}}));
     Scene scene = scene_of(t, 0, Rational(3));
     scene.dimension = 2;
-    run_both(scene, 1);
-    run_both(scene, 3);
+    run_all(scene, 1);
+    run_all(scene, 3);
     for (const char* structure : {"diameter_directions", "width_directions"}) {
       EXPECT_EQ(DirectionsRun(scene, structure, 3).begins_with.size(), n < 2 ? 0u : 2u);
     }
@@ -110,14 +113,14 @@ TEST(ExtentDirections, WithoutExtent) {
   std::vector<Trajectory> t;
   for (int i = 0; i < 9; ++i) t.push_back(path({{0, i - 4}, {0, (i * 5) % 9 - 4}}));
   for (const int k : {1, 2, 5}) {
-    run_both(scene_of(t, -1, 1), k);
-    run_both(scene_of(t, 0, 1), k);
+    run_all(scene_of(t, -1, 1), k);
+    run_all(scene_of(t, 0, 1), k);
   }
 }
 
 TEST(ExtentDirections, Jumps) {
   const Scene scene = one_jumps(2, 2);
-  run_both(scene, 2);
+  run_all(scene, 2);
   const DirectionsRun run(scene, "diameter_directions", 2);
   EXPECT_EQ(run.begins_with, (Ids{0, 2}));
   EXPECT_EQ(run.ids(), (Ids{0, 3}));
@@ -127,7 +130,7 @@ TEST(ExtentDirections, Jumps) {
 TEST(ExtentDirections, ExtremeNumbers) {
   for (const char* size : kExtremeUnits) {
     SCOPED_TRACE(size);
-    run_both(in_units_of(size), 3);
+    run_all(in_units_of(size), 3);
   }
 }
 
