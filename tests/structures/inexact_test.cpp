@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inexact arithmetics promise only that runs end: every structure, with and without an end of the
-// scene, from small numbers to numbers beyond the doubles.
+// Runs in inexact arithmetics end: of every structure, with and without an end of the scene, from small
+// numbers to numbers beyond the doubles. What they end with: inexact_agreement_test.cpp.
 #include <string>
 
 #include "tests/sanitized.h"

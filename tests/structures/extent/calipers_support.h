@@ -48,12 +48,13 @@ inline Scene asking(Scene scene, const std::string& structure, const std::string
   return scene;
 }
 
-// In an exact arithmetic audited after every instant, and every bound is checked.
+// Audited after every instant; in an exact arithmetic every audit and every bound is checked.
 struct CaliperRun {
   CaliperRun(const Scene& given, const std::string& structure,
-             const std::string& hull = "convex_hull_2", const std::string& arithmetic = "exact")
+             const std::string& hull = "convex_hull_2", const std::string& arithmetic = "exact",
+             AuditLevel audit = AuditLevel::kEvents)
       : scene(asking(given, structure, hull)),
-        simulator(scene, planned_arithmetic(arithmetic, scene), Trial::options(AuditLevel::kEvents)),
+        simulator(scene, planned_arithmetic(arithmetic, scene), Trial::options(audit)),
         id(asked_structure(scene)),
         sink(*this) {
     add_structures(simulator, scene);
@@ -78,6 +79,14 @@ struct CaliperRun {
   }
   Ids ids() const { return simulator.structure(id).attribute().ids; }
   const StructureLedger& ledger() const { return simulator.ledger(id); }
+  // Something is corrupt, or was found wrong by an audit.
+  bool noticed() const {
+    bool corrupt = false;
+    for (StructureId i = 0; i < simulator.structures(); ++i) {
+      corrupt = corrupt || simulator.ledger(i).corrupt;
+    }
+    return corrupt || !simulator.violations().empty();
+  }
   // The attribute after each change at an instant, with the time: "0.5: 0 1".
   const std::vector<std::string>& values() const { return sink.values; }
   std::uint64_t count(const std::string& kind) const {

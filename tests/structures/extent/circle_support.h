@@ -57,12 +57,12 @@ class HistorySink final : public EventSink {
   int external_ = 0;
 };
 
-// In an exact arithmetic audited after every instant, and every bound is checked.
+// Audited after every instant; in an exact arithmetic every audit and every bound is checked.
 struct LayeredRun {
   LayeredRun(const Scene& given, const std::string& structure, const std::string& hull = "",
-             const std::string& arithmetic = "exact")
+             const std::string& arithmetic = "exact", AuditLevel audit = AuditLevel::kEvents)
       : scene(asking(given, asked_over(structure, hull))),
-        simulator(scene, planned_arithmetic(arithmetic, scene), Trial::options(AuditLevel::kEvents)),
+        simulator(scene, planned_arithmetic(arithmetic, scene), Trial::options(audit)),
         id(asked_structure(scene)),
         sink(simulator, id) {
     add_structures(simulator, scene);
@@ -86,6 +86,14 @@ struct LayeredRun {
     }
   }
   const StructureLedger& ledger() const { return simulator.ledger(id); }
+  // Something is corrupt, or was found wrong by an audit.
+  bool noticed() const {
+    bool corrupt = false;
+    for (StructureId i = 0; i < simulator.structures(); ++i) {
+      corrupt = corrupt || simulator.ledger(i).corrupt;
+    }
+    return corrupt || !simulator.violations().empty();
+  }
   std::uint64_t external() const { return ledger().external; }
   std::uint64_t events_of(const char* kind) const {
     const auto at = ledger().by_kind.find(kind);
