@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "core/engine/simulator.h"
+#include "predicates/points/unit_directions.h"
+#include "structures/plan.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::families {
@@ -110,6 +114,129 @@ TEST(TrajectoryKernel, RefusesOtherScenes) {
   EXPECT_NE(kernel_refusal(scene_of({path({{0}})}, 0, Rational(1))), "");
   EXPECT_NE(kernel_refusal(scene_of({path({{0, 1, 1}, {0}})}, 0, Rational(1))), "");
   EXPECT_NE(kernel_refusal(test::random_flights(1, 9, 2, 1, true)), "");
+}
+
+// ---- structures on the kernel and on all points
+
+using Measure =
+    std::function<Rational(const Scene&, const std::vector<ObjectId>&, const Rational&)>;
+
+Rational at(const Scene& scene, ObjectId object, int axis, const Rational& t) {
+  return scene.objects[object].motion.pieces[0].trajectory.position(axis, t);
+}
+
+// The largest squared extent of the objects along 2k directions.
+Rational squared_extent(const Scene& scene, const std::vector<ObjectId>& objects, int k,
+                        const Rational& t) {
+  Rational best;
+  for (const DirectionVector& u : unit_directions_2(k)) {
+    std::vector<Rational> places;
+    for (const ObjectId object : objects) {
+      places.push_back(u[0] * at(scene, object, 0, t) + u[1] * at(scene, object, 1, t));
+    }
+    const auto [low, high] = std::minmax_element(places.begin(), places.end());
+    if (low != high) best = std::max(best, (*high - *low) * (*high - *low));
+  }
+  return best;
+}
+
+// Of two points the circle on them, of more the circumcircle of three that are not on one line.
+Rational squared_radius(const Scene& scene, const std::vector<ObjectId>& ids, const Rational& t) {
+  const auto difference = [&](ObjectId a, ObjectId b, int axis) {
+    return at(scene, b, axis, t) - at(scene, a, axis, t);
+  };
+  const auto square = [&](ObjectId a, ObjectId b) {
+    const Rational x = difference(a, b, 0), y = difference(a, b, 1);
+    return x * x + y * y;
+  };
+  if (ids.size() < 2) return Rational(0);
+  if (ids.size() == 2) return square(ids[0], ids[1]) / Rational(4);
+  for (std::size_t i = 2; i < ids.size(); ++i) {
+    const ObjectId a = ids[0], b = ids[1], c = ids[i];
+    const Rational twice =
+        difference(a, b, 0) * difference(a, c, 1) - difference(a, b, 1) * difference(a, c, 0);
+    if (twice.is_zero()) continue;
+    return square(a, b) * square(b, c) * square(c, a) / (Rational(4) * twice * twice);
+  }
+  return square(ids[0], ids[1]) / Rational(4);
+}
+
+// A run of one structure, and the measure of its attribute at each of the times, right after them.
+std::vector<Rational> measures(Scene scene, const Request& request, const Measure& measure,
+                               const std::vector<Rational>& times) {
+  scene.maintain = {request};
+  SimulatorOptions options;
+  options.audit = AuditLevel::kEnd;
+  Simulator simulator(scene, planned_arithmetic("exact", scene), options);
+  add_structures(simulator, scene);
+  simulator.start();
+  const Structure& structure = simulator.structure(asked_structure(scene));
+  std::vector<Rational> result;
+  for (const Rational& t : times) {
+    EXPECT_EQ(simulator.run_until(t), RunStatus::kDone);
+    result.push_back(measure(scene, structure.attribute().ids, t));
+  }
+  EXPECT_EQ(simulator.violations(), std::vector<std::string>{});
+  return result;
+}
+
+// What the choice proves of the kernel for e = error, at all times: the diameter, at least 1 - e of that of
+// all; extents along the 2k directions and the sides of the box, at least 1 - e/2; by Jung's theorem,
+// D/2 <= R <= D / sqrt 3, the radius of the smallest circle, at least (1 - e) sqrt 3 / 2.
+void expect_errors(const Scene& scene, const Rational& error) {
+  const TrajectoryKernel kernel = trajectory_kernel(scene, error);
+  const Scene thin = kKernelThinning.thin(scene, error).scene;
+  ASSERT_EQ(thin.objects.size(), kernel.objects.size());
+  std::vector<Rational> times;
+  for (int i = 0; i <= 120; ++i) {
+    times.push_back(scene.start + (*scene.end - scene.start) * Rational(i) / Rational(120));
+  }
+  const Rational whole = (Rational(1) - error) * (Rational(1) - error);
+  const Rational half = (Rational(1) - error / Rational(2)) * (Rational(1) - error / Rational(2));
+  const auto side = [](std::size_t axis) -> Measure {
+    return [axis](const Scene& in, const std::vector<ObjectId>& ids, const Rational& t) {
+      const int number = static_cast<int>(axis);
+      const Rational d = at(in, ids[2 * axis + 1], number, t) - at(in, ids[2 * axis], number, t);
+      return d * d;
+    };
+  };
+  const auto expect_at_least = [&](const Request& request, const Measure& measure,
+                                   const Rational& share) {
+    SCOPED_TRACE(request.structure);
+    const std::vector<Rational> all = measures(scene, request, measure, times);
+    const std::vector<Rational> some = measures(thin, request, measure, times);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      EXPECT_GE(some[i], share * all[i]) << times[i].to_string();
+      EXPECT_LE(some[i], all[i]) << times[i].to_string();
+    }
+  };
+  for (const char* structure : {"diameter_2", "diameter_all_pairs"}) {
+    expect_at_least({structure, structure, {}}, squared_diameter, whole);
+  }
+  Request along{"diameter_directions", "along", {}};
+  along.parameters = {{"k", Rational(kernel.k)}};
+  expect_at_least(
+      along,
+      [k = kernel.k](const Scene& in, const std::vector<ObjectId>& ids, const Rational& t) {
+        return squared_extent(in, ids, k, t);
+      },
+      half);
+  for (const std::size_t axis : {0, 1}) {
+    expect_at_least({"bounding_box", "box", {}}, side(axis), half);
+  }
+  expect_at_least({"min_circle_2", "circle", {}}, squared_radius,
+                  whole * Rational(3) / Rational(4));
+}
+
+TEST(TrajectoryKernel, StructuresOnItAreWithinTheError) {
+  for (const char* error : {"1/2", "1/10", "1/50"}) {
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      SCOPED_TRACE(std::string(error) + ", seed " + std::to_string(seed));
+      const Rational e = *Rational::parse(error);
+      expect_errors(random_lines(seed, 24, 1000), e);
+      expect_errors(random_lines(seed + 10, 9, 2), e);
+    }
+  }
 }
 
 TEST(TrajectoryKernel, KeepsWhatKeysReferTo) {
