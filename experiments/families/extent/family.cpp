@@ -18,7 +18,7 @@ lab::FamilyExperiments extent_experiments() {
   family.name = "extent";
   family.workloads = {
       {"box-worst", "a bounding box that changes --n times in every axis", 2, 1, 3, false, false,
-       false, "bounding_box", generate_box_worst, 3},
+       false, "bounding_box", generate_box_worst, 2},
       {"seesaw",
        "a smallest circle that changes 3nm - n - m - 1 times: --n points at rest, "
        "--m that pass on the other side",
