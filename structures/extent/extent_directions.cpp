@@ -122,9 +122,8 @@ std::vector<BoundCheck> ExtentDirections::bounds(const BoundContext& context) co
   if (context.plain() && context.degree <= 1) {
     const Integer pieces = extents * counted(context.objects() + 1);
     result.push_back(
-        maximum() ? at_most(name + ".external",
-                            "an upper envelope of n + 1 lines a direction, some equal",
-                            Integer(2) * pieces, counted(ledger.external))
+        maximum() ? at_most(name + ".external", "an upper envelope of n + 1 lines a direction",
+                            pieces - Integer(1), counted(ledger.external))
                   : at_most(name + ".external", "a lower envelope of n + 1 segments a direction",
                             davenport_schinzel_bound(3, pieces), counted(ledger.external)));
   }

@@ -21,8 +21,10 @@
 //   width      w <= E <= w + D / sqrt(k^2 + 1)
 //
 // Beside the certificates of the extreme objects 2k - 1. A failure renews O(log k) of them. For n
-// points that move linearly the diameter changes at most 4k(n + 1) times: each extent is convex and
-// piecewise linear with at most n + 1 pieces, so their maximum is the upper envelope of lines.
+// points that move linearly the diameter changes at most 2k(n + 1) - 1 times: each extent is convex and
+// piecewise linear with at most n + 1 pieces, so their maximum is the upper envelope of 2k(n + 1) lines.
+// (Equal extents are no exception: the first direction wins as if it were larger by an infinitesimal
+// constant, with which its extent stays convex.)
 //
 // Attribute. The two extreme objects of the direction, ascending; none if all points are one, or,
 // for the width, if all are on a line across a direction: then the extent is zero.

@@ -184,5 +184,18 @@ TEST(Calipers, NoPointToThree) {
   }
 }
 
+// Where all three points are on one line every two edges of the triangle become antiparallel, though they
+// share a vertex: 2 roots for each of 3 pairs of edges, which is 6d C(3,3), and more than 6d C(3,4) = 0.
+// (Over convex_hull_2_brute_force the calipers are made anew at these instants instead.)
+TEST(Calipers, ATriangleHasAntiparallelEdges) {
+  const Scene scene =
+      scene_of({path({{2, -1}, {2, -2}}), path({{-2, -1}, {1, 2}}), path({{-1, 2}, {1, 2}})}, -3,
+               Rational(3));
+  for (const char* arithmetic : {"exact", "sturm"}) {
+    const CaliperRun run(scene, "calipers_2", "convex_hull_2", arithmetic);
+    EXPECT_EQ(run.count("antiparallel"), 6u) << arithmetic;
+  }
+}
+
 }  // namespace calipers_test
 }  // namespace kinex::test
