@@ -28,6 +28,12 @@ void run_lattices(const std::string& structure, std::uint64_t first, std::uint64
   EXPECT_GT(shared, (last - first) / 24);
 }
 
+// The tests that find errors in what calipers note. Of changed edges: a swap, an enter or a leave that notes
+// none, or one of its two edges: Lattices of what reads them, HullsAgree. Of ties: new motions that note
+// none: RandomFlights; renewed certificates that note none, a failure or a leave that does not settle them:
+// Lattices. Calipers, or maxima along directions, that take every certificate of their structure for their
+// own (owns()): Calipers.ReferenceScenes, ExtentDirections.RandomLattices. An enter that does not settle ties
+// was not found.
 TEST_P(EveryCaliperStructure, Lattices) { run_lattices(GetParam(), 1, 48); }
 TEST_P(EveryCaliperStructure, SlowLattices) { run_lattices(GetParam(), 49, 600); }
 
