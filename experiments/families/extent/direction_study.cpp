@@ -140,7 +140,7 @@ lab::StudyResult study_directions(bool quick, const std::function<bool()>& go_on
           {base.name, method.structure, method.k == 0 ? "" : std::to_string(method.k),
            method.arithmetic, std::to_string(run.ledger.failures),
            std::to_string(run.ledger.external), std::to_string(run.ledger.max_live),
-           method.k == 0 ? "2" : "1", fmt::format("{:.3f}", run.seconds),
+           method.k == 0 ? "2" : "1", fmt::format("{:.3g}", run.seconds),
            method.k == 0 ? "0" : error_text(proven.to_double()), error_text(seen.to_double())});
       if (is_exact(method) && !run.clean()) {
         result.checks.push_back({"directions.audit", "audit", "", "0 violations",
