@@ -52,14 +52,15 @@ FitPoint point_at(double x, const std::vector<Trial>& trials, const Quantity& qu
 }
 
 void sort_by_size(std::vector<FitPoint>& points) {
-  std::sort(points.begin(), points.end(), [](const FitPoint& a, const FitPoint& b) { return a.n < b.n; });
+  std::sort(points.begin(), points.end(),
+            [](const FitPoint& a, const FitPoint& b) { return a.n < b.n; });
 }
 
 struct Gathered {
-  std::size_t cells = 0;            // with runs
-  int seeds_needed = 0;             // of the cell that needs most; 0: all have enough
-  bool more = false;                // some have more scenes than they ask for
-  std::vector<FitPoint> of_all;     // the points of all scenes
+  std::size_t cells = 0;         // with runs
+  int seeds_needed = 0;          // of the cell that needs most; 0: all have enough
+  bool more = false;             // some have more scenes than they ask for
+  std::vector<FitPoint> of_all;  // the points of all scenes
 };
 
 // The cells of the claim's family, as points, of the scenes that they ask for.
@@ -102,8 +103,8 @@ void note_all_scenes(GrowthResult& result, std::vector<FitPoint> points, const s
   judge(whole, x);
   if (whole.check.verdict == result.check.verdict) return;
   result.check.observed +=
-      fmt::format("; of the scenes that the claim asks for. All scenes: {} ({})", whole.check.observed,
-                  claim_word(whole.check.verdict));
+      fmt::format("; of the scenes that the claim asks for. All scenes: {} ({})",
+                  whole.check.observed, claim_word(whole.check.verdict));
 }
 
 }  // namespace
@@ -123,7 +124,8 @@ GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult
   if (gathered.cells < claim.sizes) {
     leave_open(check, fmt::format(", {} of {} cells", gathered.cells, claim.sizes));
   } else if (gathered.cells < claim.full_sizes) {
-    check.observed += fmt::format(", {} of the {} cells of the full experiments", gathered.cells, claim.full_sizes);
+    check.observed += fmt::format(", {} of the {} cells of the full experiments", gathered.cells,
+                                  claim.full_sizes);
     if (check.verdict == Verdict::kConfirmed) check.verdict = Verdict::kAgrees;
   }
   if (gathered.seeds_needed > 0) {

@@ -16,8 +16,10 @@ enum class Verdict {
   kRefuted,
 };
 
-std::string_view check_word(Verdict verdict);  // "PASS", "AGREES", "INCONCLUSIVE", "GAVE UP", "FAIL"
-std::string_view claim_word(Verdict verdict);  // "confirmed", "agrees", "open", "gave up", "refuted"
+std::string_view check_word(
+    Verdict verdict);  // "PASS", "AGREES", "INCONCLUSIVE", "GAVE UP", "FAIL"
+std::string_view claim_word(
+    Verdict verdict);  // "confirmed", "agrees", "open", "gave up", "refuted"
 
 // The verdict of a confidence interval on the claim "value within the tolerance" (at_most:
 // "value or less"). Confirmed: all of the interval lies there. Refuted: none of it. Open: some of it. So

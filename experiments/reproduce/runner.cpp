@@ -116,7 +116,8 @@ ReproducedPart run_part(const lab::PaperPart& part, const lab::SecondProgram& pr
     done.troubles.push_back(std::move(refusal));
   }
   for (lab::PaperClaim& claim : done.report.claims) {
-    if (options.quick && claim.verdict == lab::Verdict::kConfirmed) claim.verdict = lab::Verdict::kAgrees;
+    if (options.quick && claim.verdict == lab::Verdict::kConfirmed)
+      claim.verdict = lab::Verdict::kAgrees;
   }
   done.interrupted = done.interrupted || !options.source.go_on();
   return done;

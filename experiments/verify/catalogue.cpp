@@ -74,9 +74,10 @@ void count_comparisons(std::vector<lab::Cell>& cells) {
 // How many cells the family of a growth claim has, here and in the full experiments.
 void count_sizes(lab::Catalogue& catalogue, const std::vector<lab::Cell>& full) {
   const auto count = [](const std::vector<lab::Cell>& cells, const lab::GrowthClaim& growth) {
-    return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [&](const lab::Cell& cell) {
-      return cell.structure == growth.structure && cell.family == growth.family;
-    }));
+    return static_cast<std::size_t>(
+        std::count_if(cells.begin(), cells.end(), [&](const lab::Cell& cell) {
+          return cell.structure == growth.structure && cell.family == growth.family;
+        }));
   };
   for (lab::GrowthClaim& growth : catalogue.growths) {
     growth.sizes = count(catalogue.cells, growth);
@@ -133,7 +134,8 @@ lab::Catalogue make_catalogue(std::string_view structure, lab::Extent extent) {
   count_comparisons(catalogue.cells);
   select(catalogue.growths, structure);
   const bool is_part = extent == lab::Extent::kQuick && !catalogue.growths.empty();
-  count_sizes(catalogue, is_part ? make_catalogue(structure, lab::Extent::kFull).cells : catalogue.cells);
+  count_sizes(catalogue,
+              is_part ? make_catalogue(structure, lab::Extent::kFull).cells : catalogue.cells);
   return catalogue;
 }
 

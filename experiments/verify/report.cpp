@@ -66,8 +66,8 @@ Html origin_of(const lab::CellResult& cell, const lab::PageFacts& facts) {
 // The checks that did not pass, with reasons; empty if all passed.
 Html trouble_part(const VerifyResult& result, const lab::PageFacts& facts) {
   Html text;
-  const auto add = [&](const std::string& structure, const std::string& what, const lab::Check& check,
-                       const char* found) {
+  const auto add = [&](const std::string& structure, const std::string& what,
+                       const lab::Check& check, const char* found) {
     if (check.verdict <= lab::Verdict::kAgrees) return;
     text += html("<h3>{} &middot; {} &middot; {}</h3>\n<p>Expected {}, {} {}.</p>\n", structure, what,
                  lab::verdict_mark(check.verdict), check.expected, found, check.observed);

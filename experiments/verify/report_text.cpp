@@ -164,8 +164,9 @@ std::string verdict_line(const VerifyResult& result, const lab::TimeTaken& taken
   const auto add = [&](lab::Verdict verdict, const char* words) {
     if (count(verdict) > 0) text += fmt::format("; {} {}", count(verdict), words);
   };
-  add(lab::Verdict::kAgrees, count(lab::Verdict::kAgrees) == 1 ? "agrees, of fewer sizes than its claim asks for"
-                                                               : "agree, of fewer sizes than their claims ask for");
+  add(lab::Verdict::kAgrees, count(lab::Verdict::kAgrees) == 1
+                                 ? "agrees, of fewer sizes than its claim asks for"
+                                 : "agree, of fewer sizes than their claims ask for");
   add(lab::Verdict::kOpen, "inconclusive");
   add(lab::Verdict::kGaveUp, "gave up");
   if (result.interrupted) text += "; interrupted";

@@ -118,7 +118,8 @@ class WeightPowerPredicate : public FormulaPredicate<WeightPower<kAxes>> {
 template <int kAxes>
 class TouchingWeightPower final : public WeightPowerPredicate<kAxes>, public FailsAtTouch {};
 template <int kAxes>
-class TouchingRadiusPower final : public FormulaPredicate<RadiusPower<kAxes>>, public FailsAtTouch {};
+class TouchingRadiusPower final : public FormulaPredicate<RadiusPower<kAxes>>,
+                                  public FailsAtTouch {};
 
 }  // namespace
 

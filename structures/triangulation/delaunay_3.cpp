@@ -14,9 +14,8 @@ Delaunay3::Delaunay3(Kernel& kernel, StructureId id, const Scene& scene)
       points_(scene.objects.size()) {}
 
 std::vector<std::string_view> Delaunay3::event_kinds() const {
-  return common_event_kinds(
-      {"flip_2_3", "flip_3_2", "enter", "leave", "hull_2_3", "hull_3_2", "retile", "blocked",
-       "touch"});
+  return common_event_kinds({"flip_2_3", "flip_3_2", "enter", "leave", "hull_2_3", "hull_3_2",
+                             "retile", "blocked", "touch"});
 }
 
 // ---- certificates

@@ -87,12 +87,13 @@ std::vector<BoundCheck> Delaunay3::bounds(const BoundContext& context) const {
   if (!context.plain() || ledger.rebuilds != 0 || sews_ != 0 || blocks_ != 0) return checks;
   const Integer d(context.degree);
   if (ties_ != 0) {
-    checks.push_back(at_most("delaunay_3.events",
-                             "five points change at a root of in_sphere_3, or of their five orientations; four "
-                             "of the hull at one of their orientation, or of the angles at their six edges: "
-                             "15d C(n,5) + 24d C(n,4)",
-                             Integer(15) * d * binomial(n, 5) + Integer(24) * d * binomial(n, 4),
-                             Integer(static_cast<std::int64_t>(ledger.processed))));
+    checks.push_back(
+        at_most("delaunay_3.events",
+                "five points change at a root of in_sphere_3, or of their five orientations; four "
+                "of the hull at one of their orientation, or of the angles at their six edges: "
+                "15d C(n,5) + 24d C(n,4)",
+                Integer(15) * d * binomial(n, 5) + Integer(24) * d * binomial(n, 4),
+                Integer(static_cast<std::int64_t>(ledger.processed))));
     return checks;
   }
   checks.push_back(at_most("delaunay_3.events",
@@ -134,7 +135,8 @@ void Delaunay3::check_invariants(AuditReport& report) const {
         const Triangulation3::Triple t = store_.triple(f);
         return named("facet", {t[0], t[1], t[2]}) + what;
       };
-      report.check(holds(f) || holds(g), [&] { return text(" has no certificate or another facet's"); });
+      report.check(holds(f) || holds(g),
+                   [&] { return text(" has no certificate or another facet's"); });
       report.check(!facets_.is_tie(label), [&] { return text(" is identically flat"); });
     }
   }

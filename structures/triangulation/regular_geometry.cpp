@@ -29,12 +29,14 @@ RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, Extents extents, Objec
     : RegularGeometry(kernel, powers_of<Complex>(extents), extents == Extents::kRadius, infinity) {}
 
 template <class Complex>
-RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, ObjectId infinity)
-  requires(Complex::kAxes == 3)
-    : RegularGeometry(kernel, PowerPair{make_in_sphere_3(), make_in_sphere_3_touch()}, false, infinity) {}
+RegularGeometry<Complex>::RegularGeometry(Kernel& kernel,
+                                          ObjectId infinity) requires(Complex::kAxes == 3)
+    : RegularGeometry(kernel, PowerPair{make_in_sphere_3(), make_in_sphere_3_touch()}, false,
+                      infinity) {}
 
 template <class Complex>
-RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, PowerPair powers, bool radii, ObjectId infinity)
+RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, PowerPair powers, bool radii,
+                                          ObjectId infinity)
     : Base(kernel, infinity, std::move(powers.plain)),
       radii_(radii),
       power_touch_(kernel.bind(std::move(powers.touch))),
@@ -45,7 +47,8 @@ RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, PowerPair powers, bool
 template <class Complex>
 Query RegularGeometry<Complex>::claim(const Simplex& s, unsigned i, ObjectId apex) const {
   if (!this->is_ghost(s)) {
-    return apex == this->infinity() ? this->query(touch_, s) : this->query(power_touch_, this->turned(s), apex);
+    return apex == this->infinity() ? this->query(touch_, s)
+                                    : this->query(power_touch_, this->turned(s), apex);
   }
   const Simplex filled = this->turned(this->replaced(s, this->infinity(), apex));
   return s[i] == this->infinity() ? this->query(touch_, filled) : this->orientation_claim(filled);

@@ -48,7 +48,8 @@ class RegularGeometry : public LiftedGeometry<C> {
   Query unfolded_claim(const Simplex& s, unsigned i, ObjectId apex) const;
 
   bool radii_;
-  PredicateId power_touch_, touch_;  // the power and the orientation, for certificates: they fail at touches
+  PredicateId power_touch_,
+      touch_;             // the power and the orientation, for certificates: they fail at touches
   PredicateId unfolded_;  // a corner, the face of two, the other corner
 };
 

@@ -8,7 +8,8 @@ namespace kinex {
 namespace {
 
 // The order along a curve. Of identically equal points the smallest id is kept.
-std::vector<ObjectId> quick_order(const RegularGeometry<SpaceComplex>& geometry, std::span<const ObjectId> points,
+std::vector<ObjectId> quick_order(const RegularGeometry<SpaceComplex>& geometry,
+                                  std::span<const ObjectId> points,
                                   std::vector<std::pair<ObjectId, ObjectId>>& hidden) {
   std::vector<RankedPoint<3>> all = ranked<3>(geometry.kernel(), geometry.orders(), points);
   std::size_t kept = 0;
@@ -25,8 +26,8 @@ std::vector<ObjectId> quick_order(const RegularGeometry<SpaceComplex>& geometry,
 
 }  // namespace
 
-StaticResult build_static(const RegularGeometry<SpaceComplex>& geometry, std::span<const ObjectId> points,
-                          bool quick, Triangulation3& store,
+StaticResult build_static(const RegularGeometry<SpaceComplex>& geometry,
+                          std::span<const ObjectId> points, bool quick, Triangulation3& store,
                           std::vector<std::pair<ObjectId, ObjectId>>& hidden) {
   store.clear();
   std::vector<ObjectId> order(points.begin(), points.end());

@@ -17,8 +17,8 @@ namespace kinex {
 // Triangulates `points`, distinct ids in the order of insertion. `hidden` receives the points that
 // are identically equal to an earlier one, each with that vertex. `quick`: inserts them in an order
 // along a curve instead, for many points; equal points are hidden behind the smallest id.
-StaticResult build_static(const RegularGeometry<SpaceComplex>& geometry, std::span<const ObjectId> points,
-                          bool quick, Triangulation3& store,
+StaticResult build_static(const RegularGeometry<SpaceComplex>& geometry,
+                          std::span<const ObjectId> points, bool quick, Triangulation3& store,
                           std::vector<std::pair<ObjectId, ObjectId>>& hidden);
 
 }  // namespace kinex

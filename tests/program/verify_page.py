@@ -56,8 +56,8 @@ def main():
         done = subprocess.run([program, "verify", "sorted_list", "--quick", "-o", folder], stdout=subprocess.PIPE,
                               stderr=subprocess.DEVNULL, text=True, check=True)
         lines = done.stdout.splitlines()
-        verdict = re.fullmatch(r"(\d+) of \1 hold; 0 fail; \d+ (s|min)", lines[0])
-        if len(lines) != 3 or not verdict:
+        verdict = re.fullmatch(r"(\d+) of (\d+) hold; 0 fail; (\d+) agrees?, [a-z ]+; \d+ (s|min)", lines[0])
+        if len(lines) != 3 or not verdict or int(verdict[1]) + int(verdict[3]) != int(verdict[2]):
             fail(f"the command ends with {done.stdout!r}")
         if len((folder / "verify.txt").read_text().splitlines()) < int(verdict.group(1)):
             fail("the long table is not in verify.txt")

@@ -69,8 +69,9 @@ class CaliperStudy {
     result_.table.rows.push_back(
         {row.workload, std::to_string(parameters.n), row.structure, std::to_string(row.degree),
          std::to_string(ledger.failures), std::to_string(ledger.external),
-         changes > 0 ? fmt::format("{:.2f}", events / changes) : "-", std::to_string(ledger.max_live),
-         std::to_string(ledger.max_per_object), fmt::format("{:.3g}", run.seconds)});
+         changes > 0 ? fmt::format("{:.2f}", events / changes) : "-",
+         std::to_string(ledger.max_live), std::to_string(ledger.max_per_object),
+         fmt::format("{:.3g}", run.seconds)});
     const std::string where = fmt::format("{}.{}", row.workload, parameters.n);
     std::string broken = run.clean() ? "" : "the audit";
     for (const BoundCheck& bound : run.bounds) {

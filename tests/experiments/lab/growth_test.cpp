@@ -324,7 +324,9 @@ TEST(JudgeGrowth, LessDataNeverConfirmMore) {
 // decide nothing: the claim is confirmed by every prefix of them that holds the scenes that it asks for,
 // with the same numbers, and by none that does not.
 TEST(JudgeGrowth, MoreScenesThanAskedForDecideNothing) {
-  const auto wiggle = [](double n) { return std::pow(n, 1.5) * (1 + 0.012 * std::sin(3 * std::log(n))); };
+  const auto wiggle = [](double n) {
+    return std::pow(n, 1.5) * (1 + 0.012 * std::sin(3 * std::log(n)));
+  };
   const lab::GrowthClaim claim = claim_of(1.5, 0, 8);
   std::vector<lab::CellResult> cells = family_of(wiggle, 0.1, 7);
   std::size_t fewest = 0;
@@ -339,7 +341,8 @@ TEST(JudgeGrowth, MoreScenesThanAskedForDecideNothing) {
   EXPECT_EQ(all.check.verdict, lab::Verdict::kConfirmed);
   EXPECT_THAT(all.check.observed, HasSubstr("All scenes: "));
   EXPECT_THAT(all.check.observed, HasSubstr("too large for chance, too (open)"));
-  for (const std::size_t kept : {std::size_t{4}, fewest - 1, fewest, fewest + 100, std::size_t{1000}}) {
+  for (const std::size_t kept :
+       {std::size_t{4}, fewest - 1, fewest, fewest + 100, std::size_t{1000}}) {
     std::vector<lab::CellResult> part = more;
     for (lab::CellResult& cell : part) cell.trials.resize(kept);
     const lab::GrowthResult result = lab::judge_growth(claim, part);

@@ -55,6 +55,16 @@ TEST(Report, VerdictComesInOneLine) {
   EXPECT_EQ(verify::verdict_line(result, {9000, 0}), "1 of 1 holds; 0 fail; 2.5 h");
   EXPECT_EQ(verify::work_line(result),
             "1 cell and 0 fits: 1 check, 0 runs, 0 certificate failures");
+  // Fits of fewer sizes than their claims ask for neither hold nor fail.
+  lab::GrowthResult part;
+  part.check.verdict = lab::Verdict::kAgrees;
+  result.growths = {part};
+  EXPECT_EQ(verify::verdict_line(result, {3, 0}),
+            "1 of 2 holds; 0 fail; 1 agrees, of fewer sizes than its claim asks for; 3 s");
+  result.growths = {part, part};
+  EXPECT_THAT(verify::verdict_line(result, {3, 0}),
+              HasSubstr("; 2 agree, of fewer sizes than their claims ask for; "));
+  EXPECT_EQ(result.verdict(), lab::Verdict::kAgrees);
   result.interrupted = true;
   EXPECT_THAT(verify::verdict_line(result, {1, 0}), HasSubstr("; interrupted; "));
 }

@@ -56,7 +56,9 @@ TEST(Regular3Lattices, CertificatesOfOnePolynomialTouchOneAfterTheOther) {
     Trial trial(scene, "regular_3", arithmetic);
     trial.to_end();
     EXPECT_EQ(trial.simulator.violations(), std::vector<std::string>{});
-    EXPECT_EQ(std::count(trial.sink.lines.begin(), trial.sink.lines.end(), "regular_3 touch 0 1 2 3 4"), 3);
+    EXPECT_EQ(
+        std::count(trial.sink.lines.begin(), trial.sink.lines.end(), "regular_3 touch 0 1 2 3 4"),
+        3);
   }
 }
 
@@ -77,10 +79,12 @@ TEST(SlowLattices, Delaunay3) {
   scan("delaunay_3", 40, 5, 5, [](std::uint64_t seed, int n) { return lattice_scene(seed, n, 3); });
 }
 TEST(SlowLattices, Regular2) {
-  scan("regular_2", 60, 5, 5, [](std::uint64_t seed, int n) { return weighted_lattice(seed, n, 2); });
+  scan("regular_2", 60, 5, 5,
+       [](std::uint64_t seed, int n) { return weighted_lattice(seed, n, 2); });
 }
 TEST(SlowLattices, Regular3) {
-  scan("regular_3", 20, 5, 5, [](std::uint64_t seed, int n) { return weighted_lattice(seed, n, 3); });
+  scan("regular_3", 20, 5, 5,
+       [](std::uint64_t seed, int n) { return weighted_lattice(seed, n, 3); });
 }
 
 }  // namespace lattices_test
