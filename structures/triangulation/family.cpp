@@ -30,7 +30,7 @@ StructureInfo delaunay_in_space() {
       {"retile", Effect::kSometimes, "at a degenerate instant: cells are cut out and filled anew"},
       {"blocked", Effect::kNever, "at a degenerate instant: no flip repairs the facet yet"},
       {"touch", Effect::kNever,
-       "at a degenerate instant: a vertex is in the plane of a hull facet, or five on a sphere"}};
+       "at a degenerate instant: a certificate touches zero, and holds again"}};
   info.fails_at_touch = true;
   info.certificates =
       "at most (n + 1)(n - 2), one for each facet, those with the vertex at infinity included";
@@ -73,9 +73,7 @@ StructureInfo regular_in_the_plane() {
         "at a degenerate instant: triangles are cut out and filled anew"},
        {"blocked", Effect::kNever, "at a degenerate instant: no flip repairs the edge yet"},
        {"touch", Effect::kNever,
-        "at a degenerate instant: a vertex is on the line of a hull edge, or four lifted points "
-        "are in "
-        "one plane"}});
+        "at a degenerate instant: a certificate touches zero, and holds again"}});
   info.min_dimension = 2;
   info.width = 3;
   info.certificates =
@@ -105,9 +103,7 @@ StructureInfo regular_in_space() {
        {"retile", Effect::kSometimes, "at a degenerate instant: cells are cut out and filled anew"},
        {"blocked", Effect::kNever, "at a degenerate instant: no flip repairs the facet yet"},
        {"touch", Effect::kNever,
-        "at a degenerate instant: a vertex is in the plane of a hull facet, or five lifted points "
-        "are "
-        "in one plane"}});
+        "at a degenerate instant: a certificate touches zero, and holds again"}});
   info.min_dimension = 3;
   info.width = 4;
   info.certificates =
