@@ -24,6 +24,13 @@ bool is_number_of_another_exponent(std::string_view text) {
   return Rational::parse(std::string(text.substr(0, marker + 1)) + "0").has_value();
 }
 
+bool has_zero_denominator(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  if (slash == text.npos || !is_signed_digits(text.substr(0, slash))) return false;
+  const std::string_view denominator = text.substr(slash + 1);
+  return !denominator.empty() && denominator.find_first_not_of('0') == denominator.npos;
+}
+
 }  // namespace
 
 NumberDefect number_defect(std::string_view text, const std::string& usual) {
@@ -36,6 +43,7 @@ NumberDefect number_defect(std::string_view text, const std::string& usual) {
     return {"has an exponent beyond " + most,
             "write a number with an exponent from -" + most + " to " + most};
   }
+  if (has_zero_denominator(text)) return {"has the denominator 0", "write another denominator"};
   return {"is not a number", usual};
 }
 

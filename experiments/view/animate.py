@@ -59,6 +59,9 @@ def checked(chosen):
         bad_input(f"--size: {chosen.size!r} is not WIDTHxHEIGHT from 64 to 4096; write 640x480")
     if chosen.frames < 1 or not 1 <= chosen.fps <= 120 or not 0 <= chosen.begin < chosen.end <= 1:
         bad_input("--frames, --fps, --from, --to: out of range; leave them out for the whole run")
+    if chosen.output.suffix not in ("", ".svg", ".png", ".gif", ".mp4"):
+        bad_input(f"{chosen.output}: {chosen.output.suffix} is no kind of picture; write .svg, .png, .gif or .mp4, or a "
+                  "folder's name without a point")
     if chosen.record is not None and chosen.output.suffix != ".svg":
         bad_input("--record: it is for one picture; write OUTPUT.svg, or leave it out")
     return int(width), int(height)

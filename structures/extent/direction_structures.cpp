@@ -96,6 +96,8 @@ std::vector<StructureInfo> direction_structures() {
   width.role = "strip_along";
   width.any_dimension = false;
   width.parameters = base.parameters;
+  width.parameters[0].summary =
+      "4k directions; a width is off by at most D / sqrt(k^2 + 1) for the diameter D";
   width.summary = "the width of points in the plane, by their extents along 2k directions";
   width.make = make_extent<Extremum::kMinimum>;
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An event log as a table: events of every kind so far, in the course of time.
+"""An event log as a table: records of every kind so far, in the course of time.
 
     kinex gen uniform-square --n 30 --seed 7 --force -o square.json
     kinex run square.json --maintain convex_hull_2 --events square.log --force
@@ -35,7 +35,7 @@ def main():
     print("kind       effect     records")
     for (kind, external), number in sorted(kinds.items(), key=lambda entry: -entry[1]):
         print(f"{kind:<10} {'external' if external else 'internal':<10} {number:>7}")
-    figure = Figure(f"Events of {log.header['scene']}", Axis("t"), Axis("events so far"))
+    figure = Figure(f"Log of {log.header['scene']}", Axis("t"), Axis("records so far"))
     for name, stair in stairs.items():
         if stair:
             figure.steps(f"{name}: {len(stair)}", stair)

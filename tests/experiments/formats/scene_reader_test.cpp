@@ -88,6 +88,8 @@ TEST(SceneReader, ErrorsNameFilePathTextAndRemedy) {
       with_coefficient("\"0.1.2\""),
       "s.json: /objects/0/motion/0/0: \"0.1.2\" is not a number; write an integer, a "
       "fraction \"1/3\" or a decimal (line 2)");
+  EXPECT_INPUT_ERROR(with_coefficient("\"-1/00\""),
+                     "/objects/0/motion/0/0: \"-1/00\" has the denominator 0; write another denominator");
 }
 
 TEST(SceneWriter, RoundTrip) {
