@@ -49,6 +49,9 @@ function boxToShow() {
   return size(WHOLE_RUN) <= 1.8 * size(now) || !(now[0] <= now[1]) ? WHOLE_RUN : now;
 }
 
+// What encloses the points reaches beyond their box: the circle around a square by this factor, rectangles mostly by less.
+const ENCLOSING = ["circle", "rectangle", "area_along", "perimeter_along"], BEYOND = Math.SQRT2;
+
 class Plane {
   constructor(app) {
     this.app = app;
@@ -66,7 +69,8 @@ class Plane {
     this.reach = this.camera === null ? 0 : Math.hypot(...DRAWN.map(axis => box[2 * axis + 1] - box[2 * axis])) / 2;
     const fitted = this.camera !== null
       ? (Math.min(width, height) - 2 * room) / (2 * this.reach)
-      : Math.min((width - 2 * room) / (x1 - x0), (height - 2 * room) / (y1 - y0));
+      : Math.min((width - 2 * room) / (x1 - x0), (height - 2 * room) / (y1 - y0)) /
+          (ENCLOSING.includes(DATA.structures[this.app.shown()].role) ? BEYOND : 1);
     const scale = this.zoom * (isFinite(fitted) && fitted > 0 ? fitted : 1);
     const cx = this.cx = left + width / 2, cy = this.cy = top + height / 2;
     this.scale = scale;
