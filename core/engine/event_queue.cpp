@@ -202,10 +202,12 @@ int EventQueue::compare_times(Entry& a, Entry& b) {
   if (later_b) return compare_to_limit(a, b.lo);
   const Query qa = query(ca), qb = query(cb);
   // Both hold until they fail for the first time, so one polynomial has one failure; but after a touch one
-  // of them may have been certified anew, to its next root, while the other one waits for its turn.
+  // of them may have been certified anew, to its next root, while the other one waits for its turn. A
+  // failure without a form of its own is no touch.
   const Predicate& predicate = arithmetic_->predicate(qa.predicate);
   if (qa.predicate == qb.predicate && query_relation(qa, qb, predicate.alternating()) > 0 &&
-      dynamic_cast<const FailsAtTouch*>(&predicate) == nullptr) {
+      ((ca.root == 0 && cb.root == 0) ||
+       dynamic_cast<const FailsAtTouch*>(&predicate) == nullptr)) {
     return 0;
   }
   FailureTime ta{a.lo, a.hi, ca.root};
