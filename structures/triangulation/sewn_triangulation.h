@@ -131,10 +131,6 @@ class SewnTriangulation : public Structure {
   }
   // New motions of v: which of its claims are identically zero may have changed.
   void renew_about(ObjectId v);
-  bool is_bad(Facet f) const {
-    return geometry_.is_bad(Complex::simplex(store_, Complex::cell(f)), Complex::place(f),
-                            store_.apex(Complex::mate(store_, f)));
-  }
   void drop_certificate(Facet f);
   void drop_all_certificates();
   void certify_everything();
