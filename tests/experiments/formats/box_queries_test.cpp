@@ -61,7 +61,7 @@ TEST(BoxQueries, BadOnesAreRefused) {
       {R"([{"at": 1, "box": [[0, 1], [0, 1]], "in": 7}])", "\"in\""},
       {R"([{"at": "soon", "box": [[0, 1], [0, 1]]}])", "/queries/0/at: \"soon\" is not"},
       {R"([{"at": [], "box": [[0, 1], [0, 1]]}])", "/queries/0/at"},
-      {R"([{"at": "1/0", "box": [[0, 1], [0, 1]]}])", "/queries/0/at: \"1/0\" is not"},
+      {R"([{"at": "1/0", "box": [[0, 1], [0, 1]]}])", "/queries/0/at: \"1/0\" has the denominator 0"},
       {R"([{"at": -1, "box": [[0, 1], [0, 1]]}])", "/queries/0/at: a query at -1, outside"},
       {R"([{"at": "9/2", "box": [[0, 1], [0, 1]]}])", "write a time from 0 on, at most 4"},
       {R"([{"at": 1, "box": 3}])", "/queries/0/box: 3 is not"},
