@@ -95,8 +95,9 @@ def main():
                 print(*row, sep="\t", flush=True)
             text += f"\n**{title}.** {summary['objects']} objects.\n\n" + table_of(rows)
         made = summary["provenance"]
-        text = (f"\nMade by `python3 experiments/guide/real_motion.py PROGRAM DATA` at {made['commit']}, {made['compiler']}, flags "
-                f"`{made['flags']}`; {made['cpu']}. One core.\n" + text)
+        dirty = " with changes that are not committed" if made["dirty"] else ""
+        text = (f"\nMade by `python3 experiments/guide/real_motion.py PROGRAM DATA`, {summary['build']} at {made['commit']}{dirty}, "
+                f"{made['compiler']}, flags `{made['flags']}`; {made['cpu']}. One core.\n" + text)
     page = PAGE.read_text()
     PAGE.write_text(MADE.sub(lambda found: found.group(1) + text + "\n" + found.group(2), page))
 

@@ -23,6 +23,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/experiments/sweep/plans ${PROJECT_SOURCE
 # What reads results in Python, with its examples.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/experiments/python DESTINATION ${CMAKE_INSTALL_DATADIR}/kinex
   PATTERN __pycache__ EXCLUDE)
+# What makes pictures and animations of a page of kinex view.
+install(FILES ${PROJECT_SOURCE_DIR}/experiments/view/animate.py ${PROJECT_SOURCE_DIR}/experiments/view/devtools.py
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/kinex/view)
 # The second program that checks logs: a folder of Python, and a script that starts it.
 file(GLOB logcheck ${PROJECT_SOURCE_DIR}/experiments/logcheck/*.py)
 install(FILES ${logcheck} ${PROJECT_SOURCE_DIR}/experiments/logcheck/README.md

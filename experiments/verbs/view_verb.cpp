@@ -293,7 +293,7 @@ void add_view_verb(CLI::App& app, int& exit_code) {
   verb->footer(
       "The scene is run again, and its states are recorded; a log is checked against that run.\n"
       "The page needs no network. page.html#event=7 opens it after log record 7. Pictures and\n"
-      "animations of it: experiments/view/README.md.\n"
+      "animations of it: experiments/view/animate.py, installed as share/kinex/view/animate.py.\n"
       "Exit codes: 1 a log is not what its scene gives; 3 there are more log records than the "
       "page\n"
       "holds, or more objects than it draws.\n"

@@ -51,6 +51,10 @@ def main():
         run(prefix / "bin" / "kinex", "gen", "uniform-square", "--n", "6", "-o", square)
         run(prefix / "bin" / "kinex", "run", square, "--maintain", "sorted_list", "--events", log)
         run(prefix / "bin" / "kinex-logcheck", log, "--scene", square)
+        # What makes animations says what it needs, and needs nothing of the sources.
+        animate = run("/usr/bin/python3", prefix / "share" / "kinex" / "view" / "animate.py", "--help")
+        if "an animation" not in animate:
+            sys.exit(f"animate.py --help says {animate!r}")
         print(f"installed {version}, built and ran the guide's project")
 
 
