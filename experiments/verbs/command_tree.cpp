@@ -3,8 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
+#include "experiments/lab/arithmetics.h"
 #include "experiments/lab/workload.h"
 #include "experiments/reproduce/papers.h"
 #include "experiments/verbs/experiments.h"
@@ -26,49 +28,89 @@ std::vector<std::string> structures() {
   return words;
 }
 
-// By the name of an option, or of a word that stands without one.
-CommandValue value_of(std::string_view name, std::string_view type) {
+// Structures, and words for several of them.
+std::vector<std::string> structures_and(bool groups, bool families) {
+  std::vector<std::string> words = structures();
+  for (const std::string_view group : structure_groups()) {
+    if (groups && !group.empty()) words.emplace_back(group);
+  }
+  for (const std::string_view family : verify::family_names()) {
+    if (families) words.emplace_back(family);
+  }
+  return words;
+}
+
+std::vector<std::string> papers() {
+  std::vector<std::string> words;
+  add_names(words, reproduce::papers(), [](const lab::Paper& paper) { return paper.name; });
+  return words;
+}
+
+// What kinex explain knows.
+std::vector<std::string> explained() {
+  std::vector<std::string> words = structures_and(true, true);
+  add_names(words, lab::workloads(), [](const lab::Workload& w) { return w.name; });
+  add_names(words, reproduce::papers(), [](const lab::Paper& paper) { return paper.name; });
+  add_names(words, lab::arithmetic_infos(), [](const auto& info) { return info.name; });
+  return words;
+}
+
+using Path = std::vector<std::string>;
+
+// Of a word without an option, by its name in the help. nullopt: not one of those.
+std::optional<CommandValue> value_of_word(const Path& path, std::string_view name) {
+  const std::string verb = path.empty() ? "" : path.front();
+  if (name == "WHAT" && verb == "list") {
+    return CommandValue{{"arithmetics", "papers", "structures", "workloads"}};
+  }
+  if (name == "NAME" && verb == "explain") return CommandValue{explained()};
   CommandValue value;
-  if (name == "--maintain") {
-    value.words = structures();
-  } else if (name == "STRUCTURE" || name == "WHAT") {
-    value = {structures(), name == "WHAT"};
-    for (const std::string_view group : structure_groups()) {
-      if (!group.empty()) value.words.emplace_back(group);
-    }
-    if (name == "STRUCTURE") {
-      for (const std::string_view family : verify::family_names()) value.words.emplace_back(family);
-    }
+  if (name == "STRUCTURE" || name == "WHAT") {
+    value = {structures_and(true, name == "STRUCTURE"), name == "WHAT"};
     value.words.emplace_back("all");
   } else if (name == "WORKLOAD") {
     add_names(value.words, lab::workloads(), [](const lab::Workload& w) { return w.name; });
   } else if (name == "PAPER") {
-    add_names(value.words, reproduce::papers(), [](const lab::Paper& paper) { return paper.name; });
+    value.words = papers();
   } else if (name == "PART") {
     for (const lab::Paper& paper : reproduce::papers()) {
-      add_names(value.words, paper.parts, [](const lab::PaperPart& part) { return part.name; });
+      add_names(value.after[std::string(paper.name)], paper.parts,
+                [](const lab::PaperPart& part) { return part.name; });
     }
   } else if (name == "PLAN") {
     add_names(value.words, experiments().all, [](const sweep::Experiment& e) { return e.name; });
     value.files = true;
-  } else if (name == "--arithmetic" || name == "--with") {
-    value = {{"exact", "sturm", "double", "gsl", "mpfr:53"}, name == "--with"};
-  } else if (name == "--audit") {
-    value.words = {"end", "events", "none"};
-  } else if (name == "--scheduling") {
-    value.words = {"lazy", "eager"};
-  } else if (name == "--instants") {
-    value.words = {"names", "intervals", "none"};
-  } else if (name == "--kind") {
-    value.words = {"vertex-face", "edge-edge"};
-  } else if (name == "--color") {
-    value.words = {"auto", "always", "never"};
   } else {
-    value.files = type.starts_with("TEXT");
+    return std::nullopt;
   }
-  std::sort(value.words.begin(), value.words.end());
-  value.words.erase(std::unique(value.words.begin(), value.words.end()), value.words.end());
   return value;
+}
+
+// Of an option, or of a word that has no names of its own.
+CommandValue value_of(const Path& path, std::string_view name, std::string_view type) {
+  const std::string verb = path.empty() ? "" : path.front();
+  if (name == "--maintain") return {structures(), false, true};
+  if (name == "--arithmetic" || name == "--with") {
+    return {{"double", "exact", "gsl", "mpfr:53", "sturm"}, name == "--with"};
+  }
+  if (name == "--audit") return {{"end", "events", "none"}};
+  if (name == "--scheduling") return {{"eager", "lazy"}};
+  if (name == "--instants") return {{"intervals", "names", "none"}};
+  if (name == "--kind") return {{"edge-edge", "vertex-face"}};
+  if (name == "--color") return {{"always", "auto", "never"}};
+  if (name == "--separator") return {{"comma", "semicolon", "tab"}};
+  if (name == "--overlapping-starts") return {{"contact", "refused"}};
+  if (name == "--family" && verb == "list") {
+    CommandValue value;
+    add_names(value.words, verify::family_names(), [](std::string_view family) { return family; });
+    return value;
+  }
+  return {{}, type.starts_with("TEXT")};
+}
+
+void sort_out(std::vector<std::string>& words) {
+  std::sort(words.begin(), words.end());
+  words.erase(std::unique(words.begin(), words.end()), words.end());
 }
 
 // Up to the first line break or parenthesis: lists of shells are narrow.
@@ -78,35 +120,53 @@ std::string short_text(const std::string& text) {
   return line;
 }
 
-CommandOption option_of(const CLI::Option& option) {
+CommandOption option_of(const Path& path, const CLI::Option& option) {
   CommandOption result;
   for (const std::string& name : option.get_snames()) result.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) result.names.push_back("--" + name);
   result.text = short_text(option.get_description());
   result.takes_value = option.get_items_expected_max() > 0;
-  if (result.takes_value) result.value = value_of(result.names.back(), option.get_type_name());
+  if (result.takes_value)
+    result.value = value_of(path, result.names.back(), option.get_type_name());
+  sort_out(result.value.words);
   return result;
 }
 
-Command command_of(const CLI::App& app, const std::vector<std::string>& path) {
+Command command_of(const CLI::App& app, const Path& path) {
   Command command;
   command.path = path;
   command.text = short_text(app.get_description());
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_positional()) {
-      const CommandValue value = value_of(option->get_name(true), option->get_type_name());
+      const std::string name = option->get_name(true);
+      const CommandValue value =
+          value_of_word(path, name).value_or(value_of(path, name, option->get_type_name()));
       command.words.files = command.words.files || value.files;
       for (const std::string& word : value.words) command.words.words.push_back(word);
+      for (const auto& [word, words] : value.after) command.words.after.emplace(word, words);
     } else if (!option->get_group().empty()) {
-      command.options.push_back(option_of(*option));
+      command.options.push_back(option_of(path, *option));
     }
   }
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
     if (verb->get_group().empty()) continue;
-    std::vector<std::string> below = path;
+    Path below = path;
     below.push_back(verb->get_name());
     command.commands.push_back(command_of(*verb, below));
   }
+  // `kinex help` completes the verbs, and the verbs of those.
+  for (Command& help : command.commands) {
+    if (!path.empty() || help.path.back() != "help") continue;
+    help.words = {};
+    for (const Command& verb : command.commands) {
+      help.words.words.push_back(verb.path.back());
+      for (const Command& below : verb.commands) {
+        help.words.after[verb.path.back()].push_back(below.path.back());
+      }
+    }
+    sort_out(help.words.words);
+  }
+  sort_out(command.words.words);
   return command;
 }
 

@@ -3,6 +3,7 @@
 #ifndef KINEX_EXPERIMENTS_VERBS_COMMAND_TREE_H
 #define KINEX_EXPERIMENTS_VERBS_COMMAND_TREE_H
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace kinex::verbs {
 struct CommandValue {
   std::vector<std::string> words;  // names that the program knows
   bool files = false;              // or a file
+  bool list = false;               // several of the words, with commas between them
+  // Behind one of these words, those in place of `words`.
+  std::map<std::string, std::vector<std::string>> after = {};
 };
 
 struct CommandOption {

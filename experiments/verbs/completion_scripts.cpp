@@ -45,7 +45,16 @@ std::string head(std::string_view shell) {
 // ---- bash ---------------------------------------------------------------------------------------
 
 std::string bash_offer(const CommandValue& value) {
-  return "_kinex_offer " + quoted(joined(value.words), "'\\''") + (value.files ? " files" : "");
+  const std::string offer = "_kinex_offer " + quoted(joined(value.words), "'\\''") +
+                            (value.files  ? " files"
+                             : value.list ? " list"
+                                          : "");
+  if (value.after.empty()) return offer;
+  std::string text = "case \" ${COMP_WORDS[*]:1:COMP_CWORD-1} \" in";
+  for (const auto& [word, words] : value.after) {
+    text += " *\" " + word + " \"*) _kinex_offer " + quoted(joined(words), "'\\''") + " ;;";
+  }
+  return text + " *) " + offer + " ;; esac";
 }
 
 // ---- zsh ----------------------------------------------------------------------------------------
@@ -61,6 +70,14 @@ std::string zsh_text(std::string_view text) {
 }
 
 std::string zsh_action(const CommandValue& value) {
+  if (!value.after.empty()) {
+    std::string text = "{case \" $words \" in";
+    for (const auto& [word, words] : value.after) {
+      text += " (*\" " + word + " \"*) compadd -- " + joined(words) + " ;;";
+    }
+    return text + " (*) compadd -- " + joined(value.words) + " ;; esac}";
+  }
+  if (value.list) return "_values -s , name " + joined(value.words);
   const std::string words = "(" + zsh_text(joined(value.words)) + ")";
   if (value.words.empty()) return value.files ? "_files" : " ";
   if (!value.files) return words;
@@ -111,6 +128,13 @@ std::string bash_completion(const Command& program) {
          "_kinex_offer() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]}\n"
          "  [ \"$word\" != = ] || word=\n"
+         "  if [ \"${2-}\" = list ]; then\n"
+         "    local before=\n"
+         "    [[ $word != *,* ]] || before=${word%,*},\n"
+         "    mapfile -t COMPREPLY < <(compgen -W \"$1\" -P \"$before\" -- \"${word##*,}\")\n"
+         "    compopt -o nospace 2>/dev/null\n"
+         "    return\n"
+         "  fi\n"
          "  mapfile -t COMPREPLY < <(compgen -W \"$1\" -- \"$word\")\n"
          "  if [ \"${2-}\" = files ]; then\n"
          "    local file\n"
@@ -193,14 +217,24 @@ std::string fish_completion(const Command& program) {
       if (option.takes_value) {
         rules += option.value.files ? " -r -F" : " -x";
         if (!option.value.words.empty()) {
-          rules += " -a " + quoted(joined(option.value.words), "\\'");
+          const std::string names = joined(option.value.words);
+          rules +=
+              " -a " + quoted(option.value.list ? "(__kinex_list " + names + ")" : names, "\\'");
         }
       }
       rules += " -d " + quoted(option.text, "\\'") + "\n";
     }
     if (command->words.files) rules += here + " -F\n";
+    std::string elsewhere;
+    for (const auto& [word, words] : command->words.after) {
+      rules += "complete -c kinex -n " +
+               quoted("__kinex_at " + path + "; and __kinex_behind " + word, "\\'") + " -a " +
+               quoted(joined(words), "\\'") + "\n";
+      elsewhere += "; and not __kinex_behind " + word;
+    }
     if (!command->words.words.empty()) {
-      rules += here + " -a " + quoted(joined(command->words.words), "\\'") + "\n";
+      rules += "complete -c kinex -n " + quoted("__kinex_at " + path + elsewhere, "\\'") + " -a " +
+               quoted(joined(command->words.words), "\\'") + "\n";
     }
   }
   return head("fish") +
@@ -218,6 +252,18 @@ std::string fish_completion(const Command& program) {
          "    end\n"
          "  end\n"
          "  test \"$path\" = \"$argv\"\n"
+         "end\n"
+         "# True if this word stands before the one to complete.\n"
+         "function __kinex_behind\n"
+         "  set -l words (commandline -opc)\n"
+         "  contains -- $argv[1] $words[2..-1]\n"
+         "end\n"
+         "# The names, behind what ends with the last comma.\n"
+         "function __kinex_list\n"
+         "  set -l before (string match -r -- '.*,' (commandline -ct))\n"
+         "  for name in $argv\n"
+         "    echo \"$before$name\"\n"
+         "  end\n"
          "end\n"
          "complete -c kinex -f\n" +
          rules;

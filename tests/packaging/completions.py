@@ -26,6 +26,22 @@ CASES = [
     (["gen"], "uniform-sq", {"uniform-square"}),
     (["gen", "--n", "5"], "uniform-sq", {"uniform-square"}),
     (["reproduce"], "kds", {"kds-report-1998"}),
+    (["list"], "st", {"structures"}),
+    (["list"], "pa", {"papers"}),
+    (["list", "--family"], "prox", {"proximity"}),
+    (["explain"], "delaunay_3", {"delaunay_3"}),
+    (["explain"], "uniform-sq", {"uniform-square"}),
+    (["explain"], "kds", {"kds-report-1998"}),
+    (["help"], "swe", {"sweep"}),
+    (["help", "sweep"], "mer", {"merge"}),
+    (["import", "--separator"], "semi", {"semicolon"}),
+    (["import", "--overlapping-starts"], "con", {"contact"}),
+    (["run", "--maintain"], "sorted_list,delaunay_2", {"sorted_list,delaunay_2"}),
+    (["run", "--maintain"], "sorted_list,separation_mi",
+     {"sorted_list,separation_minkowski", "sorted_list,separation_mixed"}),
+    (["reproduce", "kds-report-1998"], "figure", {"figure-3"}),
+    (["reproduce", "separation-sensitive-1999"], "transl", {"translation"}),
+    (["reproduce", "separation-sensitive-1999"], "figure", set()),
     (["run", "--events"], "some-f", {"some-file.jsonl"}),
     (["check"], "some-f", {"some-file.jsonl"}),
 ]
@@ -112,7 +128,7 @@ def main():
                 if zsh is not None:
                     if len(offers) > 1:
                         continue
-                    expected = " ".join(["kinex", *words, *offers])
+                    expected = " ".join(["kinex", *words, *(offers or [word])])
                     found = zsh.completed(line)
                     if found != expected:
                         wrong.append(f"zsh: {line!r} becomes {found!r}, not {expected!r}")
