@@ -11,6 +11,7 @@
 #include "experiments/formats/input_error.h"
 #include "experiments/lab/gmp_memory.h"
 #include "experiments/lab/machine.h"
+#include "experiments/verbs/help_format.h"
 #include "experiments/verbs/usage_error.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
@@ -57,6 +58,7 @@ int main(int argc, char** argv) {
       "kinex");
   int exit_code = verbs::kExitFine;
   describe(app);
+  verbs::set_help_format(app);
   verbs::add_verbs(app, exit_code);
   const auto tell = [&app](const std::string& text) {
     verbs::voice_of(verbs::innermost(app)).error(text);

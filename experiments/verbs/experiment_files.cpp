@@ -70,14 +70,25 @@ void ResultFile::write(std::string_view text) const {
 }
 
 sweep::Journal experiment_journal(const ExperimentOptions& options, const sweep::Selection& selection) {
+  if (options.folder == "-") {
+    throw formats::InputError("--output", "", "standard output takes no folder of files",
+                              "name a folder; --json prints the result");
+  }
   std::error_code error;
-  std::filesystem::create_directories(options.folder, error);  // errors are reported below
+  // Errors are reported below.
+  const bool made = std::filesystem::create_directories(options.folder, error);
   using sweep::Leftover;
   const Leftover leftover = options.fresh   ? Leftover::kDrop
                             : options.force ? Leftover::kKeepOwn
                                             : Leftover::kKeep;
-  return journal_of(options.from, options.folder + "/" + selection.experiment + ".unfinished",
-                    selection, leftover);
+  try {
+    return journal_of(options.from, options.folder + "/" + selection.experiment + ".unfinished",
+                      selection, leftover);
+  } catch (...) {
+    if (made)
+      std::filesystem::remove(options.folder, error);  // what is refused leaves nothing behind
+    throw;
+  }
 }
 
 sweep::CellSource experiment_source(const ExperimentOptions& options, sweep::Journal& journal,
@@ -92,6 +103,24 @@ sweep::CellSource experiment_source(const ExperimentOptions& options, sweep::Jou
                        " finished already; --fresh runs them again");
   }
   return {&journal, kThisProgram, [&interrupt] { return !interrupt.interrupted(); }};
+}
+
+void keep_figures(const std::string& folder, const std::vector<std::string>& names,
+                  const sweep::Journal& journal) {
+  std::set<std::string> taken;
+  std::error_code error;  // a folder that cannot be read has no figures
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::filesystem::path& file = entry.path();
+    const std::string path = folder + "/" + file.filename().string(), name = file.stem().string();
+    if (file.extension() != ".svg" || journal.is_own_output(path)) continue;
+    for (const std::string& one : names) {
+      if (name == one || name.starts_with(one + "-")) taken.insert(path);
+    }
+  }
+  if (taken.empty()) return;
+  throw formats::InputError("--output", *taken.begin(),
+                            "exists already, and a figure may have this name",
+                            "name another folder, or --force to replace it");
 }
 
 PlotFiles::PlotFiles(std::string folder, bool force, const std::vector<std::string>& titles,

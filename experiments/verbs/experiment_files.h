@@ -63,6 +63,11 @@ sweep::Journal experiment_journal(const ExperimentOptions& options, const sweep:
 sweep::CellSource experiment_source(const ExperimentOptions& options, sweep::Journal& journal,
                                     const InterruptGuard& interrupt, const char* one,
                                     const char* many);
+// Throws InputError if the folder has a figure, NAME.svg or NAME-...svg for one of the names, that is not of the
+// interrupted run that goes on. Before anything is run: figures are written last.
+void keep_figures(const std::string& folder, const std::vector<std::string>& names,
+                  const sweep::Journal& journal);
+
 // The plots of an experiment as files of their own, TITLE.svg, and TITLE-2.svg, .. for more panels of one
 // title. A resumed run replaces those of the interrupted one without --force.
 class PlotFiles {

@@ -32,7 +32,8 @@ void PlanWords::add_options(CLI::App& verb) {
   verb.add_flag("--quick", quick, "Of an experiment: smaller sizes");
   verb.add_option("--seeds", seeds, "Of verify: so many scenes")->expected(1);
   verb.add_option("--arithmetic", arithmetics, "Of trade: these, beside exact and double")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
 }
 
 std::string PlanWords::command() const {

@@ -109,6 +109,11 @@ void reproduce(ReproduceOptions options, int& exit_code) {
       options, reproduce::selection_of(options.paper, options.parts, options.quick));
   const ResultFile claims(options.folder + "/claims.json", options.force, journal);
   const ResultFile readme(options.folder + "/README.md", options.force, journal);
+  if (!options.force) {
+    std::vector<std::string> names;
+    for (const lab::PaperPart* part : parts) names.emplace_back(part->name);
+    keep_figures(options.folder, names, journal);
+  }
   reproduce::ReproductionFacts facts;
   facts.build = lab::build_facts();
   facts.machine = lab::machine_facts();

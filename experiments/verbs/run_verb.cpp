@@ -142,8 +142,11 @@ void check_outputs(const RunOptions& options) {
   if (options.events.empty() || options.summary.empty()) return;
   if (options.events == "-" || options.summary == "-") return;
   std::error_code error;
-  const auto events = std::filesystem::weakly_canonical(options.events, error);
-  const auto summary = std::filesystem::weakly_canonical(options.summary, error);
+  // Relative names of files that do not exist are not made absolute by weakly_canonical.
+  const auto name_of = [&error](const std::string& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
+  };
+  const auto events = name_of(options.events), summary = name_of(options.summary);
   if (error || events != summary) return;
   const std::filesystem::file_status status = std::filesystem::status(events, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return;
@@ -362,11 +365,14 @@ void add_run_verb(CLI::App& app, int& exit_code) {
                    "The points in this closed box, X1,X2,Y1,Y2, right after the times of --at")
       ->allow_extra_args(false);
   verb->add_option("--audit", options->audit, "end (default), events (after every one) or none");
-  verb->add_flag(
+  verb->add_flag("--json", options->json, "Print the summary, as --summary - does");
+  CLI::Option* const explain = verb->add_flag(
       "--explain", options->explain,
       "Print the model chosen for the scene (degrees, number types, shared structures, "
       "parts left out), and run nothing");
-  verb->add_flag("--json", options->json, "Print the summary, as --summary - does");
+  for (const char* name : {"--events", "--summary", "--json"}) {
+    explain->excludes(verb->get_option(name));
+  }
   verb->add_option("--max-events", options->max_events,
                    "Give up after this number of certificate failures (no limit)");
   verb->add_option("--max-seconds", options->max_seconds,

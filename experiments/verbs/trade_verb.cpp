@@ -170,7 +170,8 @@ void add_trade_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--markdown", options->markdown, "Write the tables to this file as Markdown");
   verb->add_option("--arithmetic", options->arithmetics,
                    "Only these, beside exact and double: A, .. (sturm, gsl, mpfr:P too)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   verb->add_option("--max-seconds", options->max_seconds, "Give up a run after this time (120)");
   verb->add_flag(
       "--table", options->table,

@@ -10,6 +10,7 @@
 
 #include "core/numbers/near_names.h"
 #include "core/numbers/show_text.h"
+#include "structures/registry.h"
 
 namespace kinex::verbs {
 
@@ -21,12 +22,11 @@ std::string command_of(const CLI::App& verb) {
   return command_of(*verb.get_parent()) + " " + verb.get_name();
 }
 
-// "kinex help sweep".
+// "kinex help sweep run".
 std::string help_of(const CLI::App& verb) {
-  const CLI::App* top = &verb;
-  while (top->get_parent() != nullptr && top->get_parent()->get_parent() != nullptr)
-    top = top->get_parent();
-  return top->get_parent() == nullptr ? "kinex help" : "kinex help " + top->get_name();
+  return verb.get_parent() == nullptr
+             ? "kinex help"
+             : "kinex help " + command_of(verb).substr(std::string_view("kinex ").size());
 }
 
 // "run: "; empty for no verb.
@@ -97,6 +97,20 @@ std::string unknown_verb(const CLI::App& app, const std::string& name) {
                    "them");
 }
 
+// The remedy for a word too many: where a structure stands for the file, its list lacks a comma.
+std::string list_of_structures(const CLI::App& verb) {
+  const CLI::Option* const maintain = verb.get_option_no_throw("--maintain");
+  if (maintain == nullptr || maintain->count() == 0) return "leave it out";
+  for (const CLI::Option* option : verb.get_options()) {
+    if (!option->get_positional() || option->count() == 0) continue;
+    const std::string word = option->results().front();
+    if (find_structure_info(word) == nullptr) continue;
+    return "write --maintain " + maintain->results().front() + "," + word +
+           ", with commas between the structures";
+  }
+  return "leave it out";
+}
+
 std::string unknown_argument(const CLI::App& app, const std::vector<std::string>& extras) {
   const CLI::App& verb = innermost(app);
   for (const std::string& extra : extras) {
@@ -114,7 +128,7 @@ std::string unknown_argument(const CLI::App& app, const std::vector<std::string>
   const std::string name = extras.empty() ? "" : extras.front();
   if (!names_of_verbs(verb).empty()) return unknown_verb(verb, name);
   return place_of(verb) + show_text(name) + " is more than it takes" +
-         with_help("leave it out", verb, "what it takes");
+         with_help(list_of_structures(verb), verb, "what it takes");
 }
 
 // What a verb cannot do without: " LOG OTHER", " FILE --output ..".

@@ -55,11 +55,19 @@ TEST_F(Program, EveryVerbHasHelpWithAnExample) {
   std::istringstream list(top.out.substr(top.out.find("Subcommands:")));
   std::string line;
   for (std::getline(list, line); std::getline(list, line) && !line.empty(); ++verbs) {
+    if (line.starts_with("   ")) continue;  // the rest of a long line
     std::string verb;
     std::istringstream(line) >> verb;
     const Finished help = run_kinex({verb, "--help"});
     EXPECT_EQ(help.exit_code, 0) << verb;
     EXPECT_THAT(help.out, HasSubstr("Example:")) << verb;
+    // Options, and the rest of what is said of them.
+    std::istringstream options(help.out);
+    for (std::string one; std::getline(options, one);) {
+      if (one.starts_with("  -") || one.starts_with(std::string(30, ' '))) {
+        EXPECT_LE(one.size(), 80u) << verb << ": " << one;
+      }
+    }
     const std::string examples =
         help.out.substr(std::min(help.out.find("Example:"), help.out.size()));
     EXPECT_THAT(examples, HasSubstr("kinex " + verb + " ")) << verb;

@@ -64,6 +64,27 @@ TEST(ReproduceVerb, TellsThePaperOnCollisions) {
   EXPECT_THAT(part.err, HasSubstr("translation, rigid, features, hysteresis, hierarchies"));
 }
 
+// Figures are written last; what would be in their way is told first.
+TEST(ReproduceVerb, IsRefusedWhereAFigureIs) {
+  const ScratchFolder scratch;
+  const std::string folder = scratch.file("round");
+  std::filesystem::create_directories(folder);
+  write_file(folder + "/translation-line.svg", "mine");
+  const Finished run =
+      run_kinex({"reproduce", "separation-sensitive-1999", "translation", "--quick", "-o", folder});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err,
+              HasSubstr("translation-line.svg\" exists already, and a figure may have this name"));
+  EXPECT_EQ(read_file(folder + "/translation-line.svg"), "mine");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+  // Nor is a folder left behind.
+  const Finished from = run_kinex({"verify", "sorted_list", "--quick", "--from",
+                                   scratch.file("none"), "-o", scratch.file("empty")});
+  EXPECT_EQ(from.exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(scratch.file("empty")));
+}
+
 // The second program refuses the small run: the claim is not confirmed, and says so.
 TEST(ReproduceVerb, WhatTheSecondProgramRefusesIsNotConfirmed) {
   const ScratchFolder scratch;

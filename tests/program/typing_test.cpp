@@ -50,14 +50,17 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"run", scene_, "--untli", "1"},
        "run: \"--untli\" is not an option; did you mean --until? kinex help run"},
       {{"run", scene_, "-o", "x"},
-       "kinex: run: \"-o\" is not an option; write --events FILE for the event log, --summary FILE for the summary ("},
+       "kinex: run: \"-o\" is not an option; write --events FILE for the event log, --summary FILE "
+       "for the summary ("},
       {{"run", scene_, "--output=x"}, "run: \"--output\" is not an option; write --events FILE"},
       {{"run", scene_, "--maintain", "separation_mixed"},
-       "kinex: --maintain: \"separation_mixed\" is for convex polygons, the scene has points; maintain a structure for points "
+       "kinex: --maintain: \"separation_mixed\" is for convex polygons, the scene has points; "
+       "maintain a structure for points "
        "(kinex list structures), or give the objects polygons (kinex import --polygons)\n"},
       {{"run", plan}, ": this is a plan, not a scene; run a plan by kinex sweep run"},
       {{"sweep", "run", scene_, "-o", scene_ + ".out"},
-       ": this is a scene, not a plan; run the scene by kinex run; a plan names workloads, of which kinex sweep run makes scenes"},
+       ": this is a scene, not a plan; run the scene by kinex run; a plan names workloads, of "
+       "which kinex sweep run makes scenes"},
       {{"gen", "grid", "--sead=3"}, "gen: \"--sead\" is not an option; did you mean --seed?"},
       {{"diff", scene_, scene_, scene_}, "is more than it takes; leave it out"},
       {{"gen", "grid", "--n"}, "gen: --n has no value; write --n VALUE"},
@@ -82,11 +85,17 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"version"}, "did you mean --version?"},
       {{"query", scene_}, "\"query\" is not a verb; did you mean run --query?"},
       // All that is missing is named.
-      {{"diff", scene_}, "diff: OTHER is missing: the log that may miss or invent events; write kinex diff LOG OTHER (kinex help diff"},
+      {{"diff", scene_},
+       "diff: OTHER is missing: the log that may miss or invent events; write kinex diff LOG OTHER "
+       "(kinex help diff"},
       {{"view"}, "view: FILE is missing; write kinex view FILE --output .. (kinex help view"},
-      {{"gen"}, "gen: WORKLOAD is missing: the workload, as kinex list workloads names it; write kinex gen WORKLOAD (kinex help gen"},
-      {{"list"}, "list: WHAT is missing: structures, workloads, papers or arithmetics; write kinex list WHAT"},
-      {{"sweep", "merge"}, "write kinex sweep merge FOLDER .. --output .."},
+      {{"gen"},
+       "gen: WORKLOAD is missing: the workload, as kinex list workloads names it; write kinex gen "
+       "WORKLOAD (kinex help gen"},
+      {{"list"},
+       "list: WHAT is missing: structures, workloads, papers or arithmetics; write kinex list "
+       "WHAT"},
+      {{"sweep", "merge"}, "write kinex sweep merge FOLDER .. --output .. (kinex help sweep merge"},
       // Beginnings of names, and names of other things.
       {{"reproduce", "kds"}, "did you mean kds-report-1998?"},
       {{"sweep", "run", "verfy", "-o", scratch_.file("out")},
@@ -96,18 +105,32 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
        "delaunay_2"},
       {{"gen", "bounding_box"}, "bounding_box is a structure; write kinex gen "},
       // Where nothing is near, a list is named, not printed.
-      {{"run", scene_, "--maintain", ""}, "kinex list structures names them"},
+      {{"run", scene_, "--maintain", ""},
+       "--maintain: the word \"\" is empty; write one, or leave the option out"},
+      {{"run", scene_, "--events", ""}, "--events: the word \"\" is empty"},
+      {{"gen", "grid", "-o", ""}, "the word \"\" is empty"},
+      {{"view", scene_, "-o", ""}, "the word \"\" is empty"},
+      {{"run", ""}, "the word \"\" is empty"},
+      {{"run", "--maintain", "sorted_list", "delaunay_2", scene_},
+       "write --maintain sorted_list,delaunay_2, with commas between the structures"},
+      {{"run", scene_, "--explain", "--events", scratch_.file("no.jsonl")},
+       "--explain does not go with --events"},
+      {{"verify", "sorted_list", "--quick", "-o", "-"},
+       "--output: standard output takes no folder of files"},
       {{"trade", "nosuch"}, "name a scene, or one of kinex list structures, or all"},
-      {{"trade", "outer_hierarchy"}, "trade: outer_hierarchy has no scenes of its own here; name a scene"},
+      {{"trade", "outer_hierarchy"},
+       "trade: outer_hierarchy has no scenes of its own here; name a scene"},
       {{"verify", "swim"}, "kinex list structures names them"},
       {{"run", scene_, "--arithmetic", "mpfr:1"},
        "\"mpfr:1\" is not mpfr:P for P from 2 to 100000 bits; write such a number of bits"},
       {{"run", scene_, "--arithmetic", "mpfr:x"}, "is not mpfr:P for P from 2 to 100000 bits"},
       // Files of another kind.
-      {{"run", scratch_.file("table.csv")}, "table.csv: line 1: this is a table, not a scene; kinex import "},
+      {{"run", scratch_.file("table.csv")},
+       "table.csv: line 1: this is a table, not a scene; kinex import "},
       {{"view", scratch_.file("features.json"), "-o", scratch_.file("page.html")},
        "features.json: these are features, not a scene; kinex import "},
-      {{"run", scratch_.file("a.log")}, "a.log: line 1: this is an event log, not a scene; give the scene"},
+      {{"run", scratch_.file("a.log")},
+       "a.log: line 1: this is an event log, not a scene; give the scene"},
       {{"roots", scratch_.file("line")}, "line 1: 1 coefficient for degree 2; write 3"}};
   write_file(scratch_.file("line"), "2 1\n");
   write_file(scratch_.file("table.csv"), "id,t,x\na,0,1\n");
