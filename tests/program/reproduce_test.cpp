@@ -75,7 +75,7 @@ TEST(ReproduceVerb, IsRefusedWhereAFigureIs) {
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_THAT(run.err,
-              HasSubstr("translation-line.svg\" exists already, and a figure may have this name"));
+              HasSubstr("translation-line.svg: exists already, and a figure may have this name"));
   EXPECT_EQ(read_file(folder + "/translation-line.svg"), "mine");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
   // Nor is a folder left behind.

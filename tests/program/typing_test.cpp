@@ -114,7 +114,7 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"run", "--maintain", "sorted_list", "delaunay_2", scene_},
        "write --maintain sorted_list,delaunay_2, with commas between the structures"},
       {{"run", scene_, "--explain", "--events", scratch_.file("no.jsonl")},
-       "--explain does not go with --events"},
+       "--events does not go with --explain"},
       {{"verify", "sorted_list", "--quick", "-o", "-"},
        "--output: standard output takes no folder of files"},
       {{"trade", "nosuch"}, "name a scene, or one of kinex list structures, or all"},
