@@ -10,6 +10,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from checker import Checker  # noqa: E402
 from log import Log, Wrong  # noqa: E402
+from progress import Progress  # noqa: E402
 from roots import GaveUp  # noqa: E402
 from scene import LOG_REMEDY, SCENE_REMEDY, BadInput, Scene  # noqa: E402
 
@@ -20,6 +21,14 @@ LEVELS = {
     3: "replay: every event is legal where it stands",
     4: "completeness: a proof of the checker's own, with no failure that no event tells",
     5: "small scenes: the attribute from scratch between all instants at which it could change",
+}
+
+
+REMEDIES = {
+    "wrong": "run the scene again (kinex run SCENE --events LOG); a new log that is refused, too, is a defect of kinex "
+             "or of this program: report it with the scene",
+    "gave up": "ask for fewer levels (--levels 0-2), or give a log of fewer objects or of a shorter time (kinex run "
+               "--until T)",
 }
 
 
@@ -47,6 +56,8 @@ def arguments():
     parser.add_argument("--levels", type=levels_of, default=set(LEVELS), metavar="L",
                         help="which levels, as 0-4 or 1,3 (default: all that the input allows)")
     parser.add_argument("--json", action="store_true", help="a report as one JSON object")
+    parser.add_argument("-v", "--verbose", action="store_true",
+                        help="say on standard error how far it is, every few seconds; on a terminal it always does")
     return parser.parse_args()
 
 
@@ -80,7 +91,7 @@ def verdict(checker):
         done, levels_text(undone), "was" if len(undone) == 1 else "were", checker.wanting)
 
 
-def report(options, status, message, line, checker):
+def report(options, status, message, line, checker, remedy):
     done = checker.done if checker else {}
     undone = checker.undone if checker else {}
     if options.json:
@@ -93,7 +104,7 @@ def report(options, status, message, line, checker):
         return
     if status != "fine":
         where = options.log + (":%d" % line if line else "")
-        text = message if status == "bad input" else "%s: %s" % (where, message)
+        text = message if status == "bad input" else "%s: %s; %s" % (where, message, remedy)
         print("kinex-logcheck: %s" % text, file=sys.stderr)
         return
     for k in sorted(options.levels):
@@ -109,20 +120,21 @@ def report(options, status, message, line, checker):
 
 
 def check(options):
-    checker = None
+    checker, progress, remedy = None, Progress(options.verbose), None
     try:
         log = Log(options.log, read(options.log, LOG_REMEDY, binary=True))
         scene = Scene(options.scene, read(options.scene, SCENE_REMEDY)) if options.scene else None
-        checker = Checker(log, scene, options.levels)
+        checker = Checker(log, scene, options.levels, progress)
         checker.run()
         status, message, line = "fine", None, None
     except Wrong as error:
-        status, message, line = "wrong", str(error), error.line
+        status, message, line, remedy = "wrong", str(error), error.line, error.remedy
     except BadInput as error:
         status, message, line = "bad input", str(error), None
     except (GaveUp, MemoryError, RecursionError) as error:
         status, message, line = "gave up", "%s" % (error or type(error).__name__), None
-    report(options, status, message, line, checker)
+    progress.wipe()
+    report(options, status, message, line, checker, remedy or REMEDIES.get(status))
     return {"fine": 0, "wrong": 1, "bad input": 2, "gave up": 3}[status]
 
 

@@ -44,6 +44,7 @@ def check_small(checker, end):
         queries = {q for i in followed for q in queries_of(structures[i], keys[i], present[i], period)}
         for _, point in period.samples(queries):
             gaps += 1
+            checker.progress.show("level 5: gap between instants", gaps)
             if gaps > MOST_GAPS:
                 checker.undone[5] = "more than %d gaps" % MOST_GAPS
                 return

@@ -11,9 +11,10 @@ from fractions import Fraction
 from instants import check_intervals, read_instants
 from log import Wrong
 from predicates import LEAST_AXES, Key, formula_of, known
+from progress import Progress
 from registry import is_partial_hull, reads_partial_hull, replay_of
 from roots import Instant, compare
-from scene import BadInput
+from scene import SCENE_REMEDY, BadInput
 from subsets import own_objects
 from world import World
 
@@ -24,8 +25,9 @@ REARRANGING = ("blocked", "reinsert", "rebuild")
 
 
 class Checker:
-    def __init__(self, log, scene, levels):
+    def __init__(self, log, scene, levels, progress=None):
         self.log, self.scene = log, scene
+        self.progress = Progress() if progress is None else progress
         self.on = [level in levels for level in range(6)]
         self.done, self.undone, self.missing, self.partly = {}, {}, [], {}
         self.wanting = None  # why levels are not done that a scene, or another log of the same run, would allow
@@ -48,7 +50,7 @@ class Checker:
                 check_intervals(log)
                 self.done[1] = "order of the intervals alone, as the log does not name its instants"
             return self.want(range(2, 6), "the log does not name its instants")
-        instants = read_instants(log, self.on[1])
+        instants = read_instants(log, self.on[1], self.progress)
         if self.on[1]:
             self.done[1] = count(len({id(x) for x in instants}), "instant")
         if self.scene is None:
@@ -82,7 +84,7 @@ class Checker:
         log, scene = self.log, self.scene
         if log.scene_hash not in scene.hashes:
             raise Wrong("the log is of another scene: its hash is %s, that of %s is %s"
-                        % (log.scene_hash, scene.path, scene.hash), 1)
+                        % (log.scene_hash, scene.path, scene.hash), 1, SCENE_REMEDY)
         if log.objects != scene.ids:
             raise Wrong("the header's objects are not those of the scene", 1)
         if log.scene_name != scene.name:
@@ -231,6 +233,7 @@ class Checker:
                             records[i].line)
             self.instant(x, records[i:j], now)
             i = j
+            self.progress.show("levels 2 to 4: record", i, n)
         self.finish(end)
 
     def rational(self, value):

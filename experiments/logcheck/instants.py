@@ -105,7 +105,7 @@ def check_decimal(text, x):
         raise Wrong("the decimal %s is not the instant (about %r), truncated" % (text, x))
 
 
-def read_instants(log, level):
+def read_instants(log, level, progress):
     """One instant per record; the same object for equal ones. Times must not decrease, whether level 1
     was asked for or not: everything else is read in this order."""
     result, last_time, last = [], None, None
@@ -126,6 +126,7 @@ def read_instants(log, level):
             raise
         result.append(x)
         last_time, last = r.time, x
+        progress.show("level 1: record", len(result), len(log.records))
     return result
 
 

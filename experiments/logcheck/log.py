@@ -15,12 +15,15 @@ INTEGER = re.compile(r"(?:0|-?[1-9]\d*)\Z")
 HEX = re.compile(r"[0-9a-f]{64}\Z")
 
 
-class Wrong(Exception):
-    """An error in the log: its place and what is wrong."""
+CUT_REMEDY = "run the scene again (kinex run SCENE --events LOG); kinex log shows what is there"
 
-    def __init__(self, what, line=None):
+
+class Wrong(Exception):
+    """An error in the log: its place, what is wrong, and a remedy of its own if there is one."""
+
+    def __init__(self, what, line=None, remedy=None):
         super().__init__(what)
-        self.line = line
+        self.line, self.remedy = line, remedy
 
 
 def rational(text):
@@ -82,7 +85,7 @@ class Log:
         if lines[-1] == b"":
             lines.pop()
         else:
-            raise Wrong("the last line does not end with a newline: the file was cut", len(lines))
+            raise Wrong("the last line does not end with a newline: the file was cut", len(lines), CUT_REMEDY)
         if not lines:
             raise BadInput("%s: the file is empty; %s" % (path, LOG_REMEDY))
         first = load_json(lines[0].decode(), path, LOG_REMEDY)
@@ -92,7 +95,7 @@ class Log:
             raise BadInput("%s:1: a log of version 1, which tells too little to be checked; run the scene "
                            "again: kinex run SCENE --events LOG" % path)
         if first.get("version") != 2:
-            raise BadInput("%s:1: a log of version %s; this program reads version 2"
+            raise BadInput("%s:1: a log of version %s; this program reads version 2: take both from one release"
                            % (path, json.dumps(first.get("version"))))
         self.at(1, lambda: self.read_header(first))
         if len(lines) < 2:
@@ -105,7 +108,7 @@ class Log:
             self.at(number, lambda: self.read_record(tree, number))
         last = self.parse(lines[-1], len(lines))
         if isinstance(last, dict) and "seq" in last:
-            raise Wrong("the log has no last line: it was cut", len(lines))
+            raise Wrong("the log has no last line: it was cut", len(lines), CUT_REMEDY)
         self.at(len(lines), lambda: self.read_last(last, lines, len(lines)))
 
     def parse(self, line, number):

@@ -5,6 +5,8 @@ The orders are along x, y, x + y, x - y, right after an infinitesimal turn: poin
 are in the order of the second one, equal points in that of their numbers.
 """
 
+from functools import cmp_to_key
+
 AXES = ("order_x", "order_y", ("order_direction", (1, 1)), ("order_direction", (1, -1)))
 X, Y, SUM, DIFFERENCE = range(4)
 # The second key of an axis: another axis, and whether it ascends.
@@ -25,20 +27,30 @@ def precedes_by(sign):
     return precedes
 
 
+def places_along(members, precedes):
+    """A function of an axis and of 1 or -1, the way along it: {member: its place in that order}."""
+    known = {}
+
+    def places(axis, way):
+        if (axis, way) not in known:
+            order = sorted(members, key=cmp_to_key(lambda a, b: -1 if precedes(axis, a, b) else 1))
+            known[axis, 1] = {p: place for place, p in enumerate(order)}
+            known[axis, -1] = {p: -place for place, p in enumerate(order)}
+        return known[axis, way]
+
+    return places
+
+
 def pointers_of(members, precedes, cones=CONES):
     """{(p, cone): the next point}, without those that have none."""
-    def ahead(axis, way, a, b):
-        return precedes(axis, a, b) if way > 0 else precedes(axis, b, a)
-
+    places = places_along(members, precedes)
     result = {}
-    for p in members:
-        for cone, (one, other, by) in enumerate(cones):
-            for q in members:
-                if q == p or not ahead(*one, p, q) or not ahead(*other, p, q):
-                    continue
-                best = result.get((p, cone))
-                if best is None or ahead(*by, q, best):
-                    result[p, cone] = q
+    for cone, axes in enumerate(cones):
+        one, other, by = (places(*axis) for axis in axes)
+        for p in members:
+            within = [q for q in members if one[p] < one[q] and other[p] < other[q]]
+            if within:
+                result[p, cone] = min(within, key=by.get)
     return result
 
 

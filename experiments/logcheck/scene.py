@@ -28,7 +28,7 @@ class BadInput(Exception):
 def exact(value, place):
     """The number that is written; floats arrive here as their own text (see load_json)."""
     if isinstance(value, bool) or not isinstance(value, (int, str)):
-        raise BadInput("%s: %r is not a number" % (place, value))
+        raise BadInput("%s: %r is not a number; %s" % (place, value, CORRECT_IT))
     if isinstance(value, int):
         return Fraction(value)
     text = value.strip()
@@ -46,9 +46,10 @@ def exact(value, place):
             numerator, _, denominator = text.partition("/")
             if not denominator or int(denominator):
                 return Fraction(numerator) / (int(denominator) if denominator else 1)
-    raise BadInput("%s: %s is not a number that this program reads" % (place, json.dumps(value)))
+    raise BadInput("%s: %s is not a number that this program reads; %s" % (place, json.dumps(value), CORRECT_IT))
 
 
+CORRECT_IT = "correct it there: kinex check SCENE says how"
 SCENE_REMEDY = "give the scene that was run, as kinex gen or kinex import writes it"
 LOG_REMEDY = "give an event log, as kinex run SCENE --events LOG writes it"
 
@@ -58,7 +59,8 @@ def load_json(text, name, remedy=None):
         result = {}
         for key, value in pairs:
             if key in result:
-                raise BadInput("%s: the member %s stands twice in one object" % (name, json.dumps(key)))
+                raise BadInput("%s: the member %s stands twice in one object; remove one of the two"
+                               % (name, json.dumps(key)))
             result[key] = value
         return result
 
@@ -149,8 +151,8 @@ class Scene:
         try:
             self.read(tree)
         except (KeyError, TypeError, IndexError, AttributeError, ZeroDivisionError) as error:
-            raise BadInput("%s: not a scene: %s %s; `kinex check` says more"
-                           % (path, type(error).__name__, error)) from None
+            raise BadInput("%s: not a scene: %s %s; %s"
+                           % (path, type(error).__name__, error, CORRECT_IT)) from None
         self.hash = self.hash_of_text()
         # Of structures that are not known here: whether a parameter has its usual value is not known, either.
         self.hashes = {self.hash}
@@ -174,7 +176,8 @@ class Scene:
         self.ids = [o.name for o in self.objects]
         self.number = {name: i for i, name in enumerate(self.ids)}
         if len(self.number) != len(self.ids):
-            raise BadInput("%s: two objects have one id" % self.path)
+            raise BadInput("%s: two objects have one id; give one of them another: kinex check SCENE says which"
+                           % self.path)
         self.bodies = any(o.polygon for o in self.objects)
         if any(o.extents == "weight" for o in self.objects):
             for o in self.objects:
@@ -183,7 +186,8 @@ class Scene:
                     o.pieces = [Piece(p.start, p.end, p.axes + [[Fraction(0)]]) for p in o.pieces]
         kinds = {o.extents for o in self.objects}
         if len(kinds) > 1:
-            raise BadInput("%s: objects of different extents" % self.path)
+            raise BadInput("%s: objects of different extents; give all of them a radius, half_extents, a weight or none"
+                           % self.path)
         self.extents = kinds.pop() if kinds else None
         self.maintain = [self.read_request(r) for r in tree.get("maintain", [])]
         self.queries = [(exact(q["at"], self.path + ": /queries"),
@@ -201,7 +205,7 @@ class Scene:
 
         def numbers(list_, where):
             if not isinstance(list_, list) or not list_:
-                raise BadInput("%s: a coefficient list is missing" % where)
+                raise BadInput("%s: a coefficient list is missing; %s" % (where, CORRECT_IT))
             return stripped([exact(c, "%s/%d" % (where, i)) for i, c in enumerate(list_)])
 
         polygon = [[exact(c, place + "/polygon") for c in v] for v in tree.get("polygon", [])]
@@ -209,7 +213,7 @@ class Scene:
         def axes(coordinates, owner, where):
             result = [numbers(a, "%s/%d" % (where, i)) for i, a in enumerate(coordinates)]
             if len(result) != self.dimension:
-                raise BadInput("%s: %d axes in a scene of %d" % (where, len(result), self.dimension))
+                raise BadInput("%s: %d axes in a scene of %d; %s" % (where, len(result), self.dimension, CORRECT_IT))
             if polygon:
                 result += [numbers(a, where + "/rotor") for a in owner.get("rotor", [[1], [0]])]
             if extents == "radius":
@@ -220,7 +224,7 @@ class Scene:
             elif extents:
                 result += [numbers(a, where + "/half_extents") for a in owner["half_extents"]]
                 if len(result) != 2 * self.dimension:
-                    raise BadInput("%s: half extents of another number than of axes" % where)
+                    raise BadInput("%s: half extents of another number than of axes; %s" % (where, CORRECT_IT))
             return result
 
         motion = tree["motion"]
@@ -247,8 +251,8 @@ class Scene:
         if isinstance(key, dict) and list(key) == ["squared_distance_to"]:
             if key["squared_distance_to"] in self.number:
                 return ("distance", self.number[key["squared_distance_to"]])
-        raise BadInput("%s: %s is not a key of a scene of dimension %d"
-                       % (self.path, json.dumps(key), self.dimension))
+        raise BadInput("%s: %s is not a key of a scene of dimension %d; %s"
+                       % (self.path, json.dumps(key), self.dimension, CORRECT_IT))
 
     def read_request(self, tree):
         if isinstance(tree, str):

@@ -17,8 +17,10 @@ class World:
         self.piece = dict(scene.first)  # per object: the flight plan in force
         self.version = {number: 0 for number in scene.first}
         self.cache = {}
+        self.in_force = {}  # of queries under the motions in force: what changes() returns
 
     def set_motion(self, number, piece):
+        self.in_force.clear()
         self.piece[number] = piece
         self.version[number] = self.version.get(number, -1) + 1
 
@@ -37,13 +39,16 @@ class World:
 
     def changes(self, predicate, ids):
         """Where the value changes its sign: (SignChanges of its normal form, +1 or -1)."""
-        ids, sign = normal_form(predicate, ids)
-        version = self.version
-        key = (predicate, ids, tuple([version[i] for i in ids]))
-        found = self.cache.get(key)
+        query = (predicate, tuple(ids))
+        found = self.in_force.get(query)
         if found is None:
-            found = self.cache[key] = SignChanges(self.polynomial(predicate, ids), self.window)
-        return found, sign
+            ids, sign = normal_form(predicate, ids)
+            key = (predicate, ids, tuple([self.version[i] for i in ids]))
+            changes = self.cache.get(key)
+            if changes is None:
+                changes = self.cache[key] = SignChanges(self.polynomial(predicate, ids), self.window)
+            found = self.in_force[query] = changes, sign
+        return found
 
     def sign_after(self, query, x):
         """On (x, x + eps); 0 only where the value is zero identically."""

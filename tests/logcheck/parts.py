@@ -4,6 +4,7 @@
 usage: parts.py LOGCHECK_FOLDER
 """
 import copy
+import io
 import json
 import math
 import pathlib
@@ -20,11 +21,14 @@ FOLDER = sys.argv.pop(1)
 logs.checker(FOLDER)
 import instants  # noqa: E402
 import labels  # noqa: E402
+import octants  # noqa: E402
 import polynomials as poly  # noqa: E402
 import predicates  # noqa: E402
+import progress  # noqa: E402
 import roots  # noqa: E402
 from log import Wrong  # noqa: E402
 from scene import Extended, Scene  # noqa: E402
+from world import World  # noqa: E402
 
 SCENE = {"kinex": 1, "name": "two", "dimension": 1, "time": {"start": 0, "end": 2},
          "objects": [{"id": "a", "motion": [[0, 1]]}, {"id": "b", "motion": [[1]]}], "maintain": ["sorted_list"]}
@@ -35,6 +39,84 @@ def product(numbers):
     for r in numbers:
         p = poly.multiply(p, (-r.numerator, r.denominator))
     return p
+
+
+class Pointers(unittest.TestCase):
+    @staticmethod
+    def by_definition(members, precedes):
+        """Every point against every other, in every cone."""
+        def ahead(axis, way, a, b):
+            return precedes(axis, a, b) if way > 0 else precedes(axis, b, a)
+
+        result = {}
+        for p in members:
+            for cone, (one, other, by) in enumerate(octants.CONES):
+                for q in members:
+                    if q == p or not ahead(*one, p, q) or not ahead(*other, p, q):
+                        continue
+                    if (p, cone) not in result or ahead(*by, q, result[p, cone]):
+                        result[p, cone] = q
+        return result
+
+    def test_places_lead_to_those_of_the_definition(self):
+        rng = random.Random(3)
+        for k in range(40):
+            n, size = rng.randint(1, 9), rng.choice((2, 4, 30))  # with level points, and equal ones
+            positions = [(rng.randint(0, size), rng.randint(0, size)) for _ in range(n)]
+
+            def sign(axis, a, b):
+                u = ((1, 0), (0, 1), (1, 1), (1, -1))[axis]
+                value = sum(c * (y - x) for c, x, y in zip(u, positions[a], positions[b]))
+                return (value > 0) - (value < 0)
+
+            precedes = octants.precedes_by(sign)
+            self.assertEqual(octants.pointers_of(range(n), precedes), self.by_definition(range(n), precedes))
+
+    def test_every_axis_is_sorted_once(self):
+        asked = []
+
+        def precedes(axis, a, b):
+            asked.append(axis)
+            return a < b
+
+        octants.pointers_of(range(30), precedes)
+        self.assertLess(len(asked), 4 * 30 * 6)  # n log n an axis; every cone, point and point would be 5000 and more
+
+
+class InForce(unittest.TestCase):
+    def test_queries_are_made_anew_when_a_motion_changes(self):
+        scene = Scene("two", json.dumps(SCENE))
+        world = World(scene)
+        query = ("order_x", (0, 1))
+        changes, sign = world.changes(*query)
+        self.assertIs(world.changes(*query)[0], changes)
+        self.assertEqual((world.changes("order_x", (1, 0))[0], world.changes("order_x", (1, 0))[1]), (changes, -sign))
+        world.set_motion(0, world.piece[1])
+        self.assertTrue(world.is_zero(query))
+
+
+class HowFar(unittest.TestCase):
+    class Terminal(io.StringIO):
+        def isatty(self):
+            return True
+
+    def told(self, file, wanted=False):
+        shown = progress.Progress(wanted, file)
+        for k in range(3):
+            shown.last -= 3600
+            shown.show("record", k, 3)
+            shown.show("record", k, 3)  # too soon
+        shown.wipe()
+        return file.getvalue()
+
+    def test_lines_elsewhere_if_they_are_wanted(self):
+        self.assertEqual(self.told(io.StringIO()), "")
+        text = "".join("kinex-logcheck: record %d of 3, 0 s\n" % k for k in range(3))
+        self.assertEqual(self.told(io.StringIO(), wanted=True), text)
+
+    def test_one_line_on_a_terminal(self):
+        text = "".join("\r\033[Krecord %d of 3, 0 s" % k for k in range(3))
+        self.assertEqual(self.told(self.Terminal()), text + "\r\033[K")
 
 
 class Roots(unittest.TestCase):
@@ -322,6 +404,20 @@ class CommandLine(unittest.TestCase):
         code, text = self.run_it()
         self.assertEqual(code, 1)
         self.assertIn("another scene", text)
+        self.assertTrue(text.endswith("; give the scene that was run, as kinex gen or kinex import writes it\n"), text)
+
+    def test_a_wrong_log_has_a_remedy(self):
+        self.write(records=0)
+        self.assertIn("; run the scene again (kinex run SCENE --events LOG); a new log that is refused", self.run_it()[1])
+        self.write()
+        self.log.write_text("".join(self.log.read_text().splitlines(True)[:-1]))
+        self.assertIn("it was cut; run the scene again (kinex run SCENE --events LOG); kinex log shows", self.run_it()[1])
+
+    def test_a_scene_of_two_objects_with_one_id(self):
+        self.write()
+        self.scene.write_text(json.dumps(dict(SCENE, objects=[SCENE["objects"][0]] * 2)))
+        self.assertEqual(self.run_it(), (2, "kinex-logcheck: %s: two objects have one id; give one of them another: kinex "
+                                         "check SCENE says which\n" % self.scene))
 
 
 unittest.main()
