@@ -292,7 +292,7 @@ def counters(path, name):
             found.append((run, value))
     if not found:
         known = sorted({key for run in runs(path) for key in (*run.counters, *run.extremes)})
-        raise ResultsError(f"{path}: no run has {name!r}; known are {', '.join(known) or 'none'}")
+        raise ResultsError(f"{path}: no run has {name!r}; take one that they have: {', '.join(known) or 'none'}")
     return found
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The end of a script: an error as one line, "SCRIPT: FILE: PROBLEM; REMEDY", with exit code 2."""
+"""Messages of a script, as those of the program: "kinex: FILE: PROBLEM; REMEDY"; an error ends it with exit code 2."""
+import argparse
 import sys
-from pathlib import Path
 
 from kinex_results import ResultsError
 
@@ -14,10 +14,21 @@ def text_of(error):
     return f"{error.filename}: {error.strerror}; {remedy}"
 
 
+def note(text):
+    """A line on standard error."""
+    print(f"kinex: {text}", file=sys.stderr)
+
+
+class ArgumentParser(argparse.ArgumentParser):
+    def error(self, message):
+        note(f"{self.prog}: {message}; {self.prog} --help says what it takes")
+        sys.exit(2)
+
+
 def run(main):
     """Calls main()."""
     try:
         main()
     except (ResultsError, OSError) as error:
-        print(f"{Path(sys.argv[0]).name}: {text_of(error)}", file=sys.stderr)
+        note(text_of(error))
         sys.exit(2)

@@ -85,7 +85,7 @@ def test_log_and_summary(folder):
     refused(lambda: kinex.read_log(folder / "scene.json"), "does not begin an event log")
     refused(lambda: kinex.runs(folder / "scene.json"), "it holds no runs")
     refused(lambda: kinex.runs(folder / "missing"), "cannot be read")
-    refused(lambda: kinex.counters(folder / "run.json", "flops"), "known are")
+    refused(lambda: kinex.counters(folder / "run.json", "flops"), "take one that they have:")
 
 
 def test_fit():
@@ -125,7 +125,7 @@ def test_examples(folder):
     again = subprocess.run([sys.executable, PYTHON / "examples/events_in_time.py", "square.log", "events.svg"], cwd=folder,
                            capture_output=True, text=True, check=False)
     assert again.returncode == 2, again
-    assert again.stderr == "events_in_time.py: events.svg: File exists; add --force to replace it\n", again.stderr
+    assert again.stderr == "kinex: events.svg: File exists; add --force to replace it\n", again.stderr
     for run in kinex.runs(folder / "growth-example.sqlite"):
         assert run.arithmetic == "exact" and run.parameters["n"] == run.objects and run.seed in range(1, 6)
 
@@ -147,7 +147,7 @@ def test_growth_of_verify(folder):
             wanted.setdefault(key, []).append((run.objects, value))
     wanted = {key: points for key, points in wanted.items() if len({n for n, _ in points}) > 1}
     code, out, err = growth(folder, base, "external", "w.svg")
-    assert code == 0 and "left out: " in err, (out, err)
+    assert code == 0 and f"kinex: {base}: left out: " in err, (out, err)
     lines = out.splitlines()
     assert len(lines) == len(wanted) >= 4, lines
     for (workload, axes, degree), points in wanted.items():
@@ -161,12 +161,14 @@ def test_growth_of_verify(folder):
     assert "Growth of the number of external events on sort-worst" in (folder / "one.svg").read_text()
     # Errors.
     code, _, err = growth(folder, "missing.sqlite", "external", "x.svg")
-    assert code == 2 and err == ("growth.py: missing.sqlite: cannot be read: No such file or directory; check the "
-                                 "name\n"), err
+    assert code == 2 and err == "kinex: missing.sqlite: cannot be read: No such file or directory; check the name\n", err
+    code, _, err = growth(folder)
+    assert code == 2 and err.startswith("kinex: growth.py: the following arguments are required: results"), err
+    assert err.endswith("; growth.py --help says what it takes\n"), err
     code, _, err = growth(folder, base, "external", "x.svg", "--workload", "sort-best")
     assert code == 2 and "no series is chosen; its series are:\n  --structure sorted_list --workload sort-worst" in err, err
     code, _, err = growth(folder, base, "flops", "x.svg")
-    assert code == 2 and "no run has 'flops'; known are" in err, err
+    assert code == 2 and "no run has 'flops'; take one that they have: " in err, err
     cut = folder / "cut.sqlite"
     cut.write_bytes(base.read_bytes()[:5000])
     code, _, err = growth(folder, cut, "external", "x.svg")

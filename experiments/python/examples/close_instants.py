@@ -7,7 +7,6 @@
 
 Doubles just below t = 1/2 are 2^-54 apart: they cannot tell instants apart that are nearer.
 """
-import argparse
 import math
 import sys
 from pathlib import Path
@@ -30,7 +29,7 @@ def gap_between(a, b):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = script.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("log", help="event log of an exact run")
     parser.add_argument("figure", help="SVG file to write")
     parser.add_argument("--force", action="store_true", help="replace the figure if it exists")

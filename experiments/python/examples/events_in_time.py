@@ -5,7 +5,6 @@
     kinex run square.json --maintain convex_hull_2 --events square.log --force
     python3 events_in_time.py square.log events.svg --force
 """
-import argparse
 import collections
 import sys
 from pathlib import Path
@@ -17,7 +16,7 @@ from svg_figure import Axis, Figure
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = script.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("log", help="event log")
     parser.add_argument("figure", help="SVG file to write")
     parser.add_argument("--structure", help="label of the structure, if the log has several")

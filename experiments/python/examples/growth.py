@@ -8,7 +8,6 @@
 growth-plan.json is beside this file. verify.sqlite of kinex verify does as well. A series is the exact runs of one
 structure on one workload that differ in n and seed alone; those of a single n are left out.
 """
-import argparse
 import sys
 from pathlib import Path
 
@@ -60,7 +59,7 @@ def common(run):
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = script.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("results", help="results.sqlite or verify.sqlite")
     parser.add_argument("counter", help="external, processed, kind.swap, ..")
     parser.add_argument("figure", help="SVG file to write")
@@ -115,10 +114,12 @@ def chosen_series(options):
                                  f"{MOST_SERIES} at most by --structure, --workload, --dimension, --degree, --parameter "
                                  f"from:{listed(chosen)}")
     small = sum(len(one.sizes()) == 1 and is_chosen(one, options) for one in found.values())
-    for number, what in ((small, "series of a single n"), (zeros, f"runs with {options.counter} 0, which has no logarithm"),
-                         (inexact, "runs in other arithmetics than exact")):
+    for number, what, remedy in (
+            (small, "series of a single n", "run more sizes of them (kinex sweep, kinex verify)"),
+            (zeros, f"runs with {options.counter} 0, which has no logarithm", "larger sizes have more events"),
+            (inexact, "runs in other arithmetics than exact", "their counts may be wrong")):
         if number:
-            print(f"growth.py: left out: {number} {what}", file=sys.stderr)
+            script.note(f"{options.results}: left out: {number} {what}; {remedy}")
     return chosen
 
 
