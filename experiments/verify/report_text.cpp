@@ -34,6 +34,20 @@ std::string explain(const lab::Check& check) {
                      check.source.empty() ? "" : " (" + check.source + ")");
 }
 
+// Which count, over which sizes, the verdict of a fit is about.
+std::string decided_by(const lab::GrowthResult& growth) {
+  const lab::GrowthClaim& claim = growth.claim;
+  std::string text = fmt::format(
+      "  {} {}: decided by the fit of {} over {}", lab::check_word(growth.check.verdict),
+      claim.claim, growth.check.quantity, formats::counted(growth.points.size(), "size", "sizes"));
+  if (!growth.points.empty()) {
+    text += fmt::format(", {} = {} to {}", growth.axis.empty() ? "n" : growth.axis,
+                        lab::number_text(growth.points.front().n, 4),
+                        lab::number_text(growth.points.back().n, 4));
+  }
+  return text + "\n";
+}
+
 // Every check of the result.
 template <class Visit>
 void for_checks(const VerifyResult& result, const Visit& visit) {
@@ -122,6 +136,7 @@ std::string table_row(const lab::GrowthResult& growth) {
       fmt::format("{:<18} {:<30} expected {}, fitted {}  {}\n", growth.claim.structure,
                   "growth, " + growth.claim.family, growth.check.expected, growth.check.observed,
                   lab::check_word(growth.check.verdict));
+  if (growth.check.verdict != lab::Verdict::kConfirmed) text += decided_by(growth);
   if (growth.neighbours) text += "  " + lab::neighbours_text(*growth.neighbours) + "\n";
   return text;
 }

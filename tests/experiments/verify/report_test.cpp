@@ -125,6 +125,27 @@ TEST(Figures, DistantBoundsStayOutside) {
   EXPECT_LT(std::stod(script.substr(script.find(':', at) + 1)), 10000);
 }
 
+// A row says which count was fitted, over which sizes, unless the fit passes.
+TEST(Report, RowsOfFitsSayWhatDecides) {
+  lab::GrowthResult growth;
+  growth.claim = {"test.growth", "sorted_list", "constructed", "processed", 2, 2, 0.03, ""};
+  growth.points = {{10, 100, 0}, {20, 400, 0}};
+  growth.check = {"test.growth",         "growth",   "processed",
+                  "n^(2 +-0.03)",        "n^2.0000", "",
+                  lab::Verdict::kAgrees, {},         0};
+  EXPECT_THAT(verify::table_row(growth),
+              HasSubstr("  AGREES\n  AGREES test.growth: decided by the fit of processed over 2 "
+                        "sizes, n = 10 to 20\n"));
+  growth.axis = "m";
+  growth.check.verdict = lab::Verdict::kOpen;
+  EXPECT_THAT(
+      verify::table_row(growth),
+      HasSubstr(
+          "  INCONCLUSIVE test.growth: decided by the fit of processed over 2 sizes, m = 10"));
+  growth.check.verdict = lab::Verdict::kConfirmed;
+  EXPECT_THAT(verify::table_row(growth), Not(HasSubstr("decided by")));
+}
+
 // What is left of an exact power is rounding: no picture of it.
 TEST(Figures, RoundingIsNotDrawn) {
   lab::GrowthClaim claim{"test.growth", "sorted_list", "constructed", "processed", 1, 2, 0.03, ""};
