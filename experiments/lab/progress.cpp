@@ -4,8 +4,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
+
+#include "experiments/lab/time_taken.h"
 
 namespace kinex::lab {
 
@@ -14,6 +18,10 @@ namespace {
 constexpr double kOnTerminal = 0.25;   // seconds between two lines
 constexpr double kElsewhere = 60;
 constexpr double kTrustedPart = 0.02;  // of the cost, beyond which the time left is shown
+constexpr std::size_t kFewestPieces = 3;  // with fewer their spread is not known
+constexpr double kLeastSeconds = 0.002;   // a piece that is run takes longer
+constexpr double kDeviations = 2;
+constexpr double kNarrow = 1.3;  // a range is shown if its ends are farther apart
 constexpr double kLongestEta = 1e7;
 
 }  // namespace
@@ -43,22 +51,82 @@ void Progress::wipe() {
   shown_ = false;
 }
 
-PiecesDone::PiecesDone(std::vector<double> costs) : costs_(std::move(costs)) {
-  for (const double cost : costs_) cost_ += cost;
+double PiecesDone::steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+PiecesDone::PiecesDone(std::vector<double> costs, std::function<double()> clock)
+    : costs_(std::move(costs)),
+      clock_(std::move(clock)),
+      began_(clock_()),
+      done_(costs_.size(), false) {}
+
+void PiecesDone::started(std::size_t piece) {
+  const std::lock_guard lock(mutex_);
+  running_.try_emplace(piece, clock_());
 }
 
 void PiecesDone::finished(std::size_t piece) {
   const std::lock_guard lock(mutex_);
-  done_ += costs_[piece];
+  done_[piece] = true;
+  const auto run = running_.find(piece);
+  if (run == running_.end()) return;
+  const double seconds = clock_() - run->second;
+  // What an earlier command had finished takes no time, and says nothing of the rest.
+  if (seconds > kLeastSeconds && costs_[piece] > 0) taken_.emplace_back(costs_[piece], seconds);
+  running_.erase(run);
 }
 
-std::string PiecesDone::text(std::size_t piece, const std::string& what, double seconds) {
-  const std::lock_guard lock(mutex_);
-  std::string line = fmt::format("cell {} of {}: {}", piece + 1, costs_.size(), what);
-  if (done_ > kTrustedPart * cost_) {
-    line += fmt::format("; {:.0f} s left", seconds * (cost_ - done_) / done_);
+std::optional<PiecesDone::Forecast> PiecesDone::forecast() const {
+  double cost = 0, squares = 0, seconds = 0;
+  for (const auto& [c, s] : taken_) {
+    cost += c;
+    squares += c * c;
+    seconds += s;
   }
-  return line;
+  if (taken_.size() < kFewestPieces) return std::nullopt;
+  const double factor = seconds / cost;
+  double variance = 0;  // of the factors, relative to their mean
+  for (const auto& [c, s] : taken_) variance += c / cost * std::pow(s / c / factor - 1, 2);
+
+  const double now = clock_();
+  double rest = 0, rest_squares = 0, work = 0, longest = 0;
+  for (std::size_t i = 0; i < costs_.size(); ++i) {
+    if (done_[i]) continue;
+    const auto run = running_.find(i);
+    const double had = run == running_.end() ? 0 : now - run->second;
+    seconds += had;
+    rest += costs_[i];
+    rest_squares += costs_[i] * costs_[i];
+    const double due = std::max(0.0, factor * costs_[i] - had);
+    work += due;
+    longest = std::max(longest, due);
+  }
+  if (rest == 0 || cost < kTrustedPart * (cost + rest)) return std::nullopt;
+  const double at_once = std::max(1.0, seconds / (now - began_));
+  return Forecast{
+      std::max(work / at_once, longest),
+      kDeviations * std::sqrt(variance * (squares / (cost * cost) + rest_squares / (rest * rest)))};
+}
+
+std::string PiecesDone::left() const {
+  const std::lock_guard lock(mutex_);
+  const std::optional<Forecast> found = forecast();
+  if (!found) return "";
+  const double low = found->seconds / (1 + found->relative_error),
+               high = found->seconds * (1 + found->relative_error);
+  const std::string least = duration_text(low), most = duration_text(high);
+  if (least == most || high < kNarrow * low)
+    return "about " + duration_text(found->seconds) + " left";
+  const std::size_t unit = least.find(' ');
+  const bool one_unit = least.substr(unit) == most.substr(most.find(' '));
+  return (one_unit ? least.substr(0, unit) : least) + " to " + most + " left";
+}
+
+std::string PiecesDone::text(std::size_t piece, const std::string& what) const {
+  const std::string rest = left();
+  return fmt::format("cell {} of {}: {}{}", piece + 1, costs_.size(), what,
+                     rest.empty() ? "" : "; " + rest);
 }
 
 std::string progress_text(const Simulator& simulator, double seconds) {

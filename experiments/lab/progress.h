@@ -8,8 +8,11 @@
 #include <cstddef>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/engine/simulator.h"
@@ -43,19 +46,38 @@ class Progress {
   Clock::time_point last_ = began_;
 };
 
-// Estimates the time left for pieces of work with expected costs. May be called from any thread.
+// The time that is left for pieces of work with expected costs, several of which may run at once.
+//
+// A piece takes its cost times a factor of its own. The factors of finished pieces have a mean and a spread. What remains
+// is the sum of the remaining costs times the mean, less the time that running pieces have had, and not less than the longest
+// of them; each piece may be off by the spread. So a few expensive pieces that remain give a wide range, many cheap ones
+// a narrow one. May be called from any thread.
 class PiecesDone {
  public:
-  explicit PiecesDone(std::vector<double> costs);
-  // The piece is done: the estimate uses its expected cost.
+  // `clock`: seconds since some time in the past.
+  explicit PiecesDone(std::vector<double> costs, std::function<double()> clock = steady_seconds);
+  void started(std::size_t piece);
   void finished(std::size_t piece);
-  // "cell 12 of 130: WHAT; 45 s left"
-  std::string text(std::size_t piece, const std::string& what, double seconds);
+  // "cell 12 of 130: WHAT; 2 to 5 min left"
+  std::string text(std::size_t piece, const std::string& what) const;
+  // "2 to 5 min left", "about 40 s left"; empty while too little is finished to tell.
+  std::string left() const;
 
  private:
+  struct Forecast {
+    double seconds = 0, relative_error = 0;
+  };
+  static double steady_seconds();
+  std::optional<Forecast> forecast() const;
+
   const std::vector<double> costs_;
-  std::mutex mutex_;
-  double cost_ = 0, done_ = 0;
+  const std::function<double()> clock_;
+  const double began_;
+  mutable std::mutex mutex_;
+  std::map<std::size_t, double> running_;  // piece: when it began
+  std::vector<bool> done_;
+  std::vector<std::pair<double, double>>
+      taken_;  // cost and seconds of pieces that have run to their end
 };
 
 // Certificate failures, simulated time, failures per second, and the time left where the end is

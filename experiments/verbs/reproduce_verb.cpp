@@ -53,7 +53,8 @@ reproduce::ReproducedPart run_part(const lab::PaperPart& part, const ReproduceOp
     const std::string what = point.key.text();
     if (options.voice.verbose) progress.wipe();
     options.voice.detail(std::string(part.name) + ": " + what);
-    progress.show([&](double seconds) { return pieces.text(i, what, seconds); });
+    pieces.started(i);
+    progress.show([&](double) { return pieces.text(i, what); });
   };
   running.on_point = [&](std::size_t i) { pieces.finished(i); };
   running.on_check = [&](const lab::RunKey& small) {

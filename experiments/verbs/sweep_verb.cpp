@@ -151,8 +151,8 @@ bool run_rest(const Plan& plan, const Work& work, const ShardOptions& options,
     if (options.voice.verbose) progress.wipe();
     options.voice.detail("start   " + work.rest[place].key.substr(0, kShownKey) + "  " +
                          work.rest[place].text);
-    progress.show(
-        [&](double seconds) { return pieces.text(place, work.rest[place].text, seconds); });
+    pieces.started(place);
+    progress.show([&](double) { return pieces.text(place, work.rest[place].text); });
   };
   running.on_end = [&](std::size_t place, const Record& record) {
     file.append(record);

@@ -105,7 +105,8 @@ trade::TradeResult run(const trade::TradeCatalogue& catalogue, const TradeOption
   };
   trade::TradeWatch watch;
   watch.on_work = [&](std::size_t index, const std::string& what) {
-    progress.show([&](double seconds) { return pieces.text(index, what, seconds); });
+    pieces.started(index);  // of a case with several runs, at the first one
+    progress.show([&](double) { return pieces.text(index, what); });
   };
   watch.on_finished = [&](std::size_t index) { pieces.finished(index); };
   watch.on_case = [&](const trade::CaseResult& one) {

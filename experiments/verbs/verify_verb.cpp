@@ -95,7 +95,8 @@ verify::VerifyResult run(const lab::Catalogue& catalogue, const VerifyOptions& o
     const lab::Cell& cell = catalogue.cells[index];
     const std::string what = cell.structure + ", " + cell.workload_text() +
                              ", n = " + std::to_string(cell.parameters.n);
-    progress.show([&](double seconds) { return pieces.text(index, what, seconds); });
+    pieces.started(index);
+    progress.show([&](double) { return pieces.text(index, what); });
   };
   running.on_cell = [&](std::size_t index, const lab::CellResult& cell) {
     pieces.finished(index);
