@@ -94,6 +94,16 @@ TEST(WrittenStructure, ShowsItsProof) {
   EXPECT_EQ(run.simulator.ledger(0).live, 2u);
 }
 
+TEST(WrittenStructure, ItsAuditNamesTheObject) {
+  const Left run(scene_of({path({{0}}), path({{-1, 1}}), path({{2}})}, 0, Rational(9)));
+  Snapshot moved(Rational(9), 1, 1, 3);
+  for (const ObjectId a : {0u, 1u, 2u})
+    moved.set(a, 0, Rational(a == 2 ? -1 : static_cast<int>(a)));
+  AuditReport report;
+  run.simulator.structure(0).audit(moved, report);
+  EXPECT_EQ(report.violations, std::vector<std::string>{"object 2 is on the other side"});
+}
+
 TEST(WrittenStructure, ItsDescriptorMakesItAndKnowsItsEvents) {
   const StructureInfo info = left_of_first();
   const Scene scene = scene_of({path({{0}}), path({{-1, 1}})}, 0, Rational(3));
