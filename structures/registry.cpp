@@ -9,6 +9,7 @@
 #include "core/numbers/near_names.h"
 #include "core/numbers/show_text.h"
 #include "structures/families.h"
+#include "structures/family_summary.h"
 #include "structures/parts/object_sets.h"
 
 namespace kinex {
@@ -17,7 +18,7 @@ namespace {
 const std::vector<StructureFamily>& families() {
   static const std::vector<StructureFamily> kFamilies = [] {
     std::vector<StructureFamily> all;
-    for (const auto family : kStructureFamilies) all.push_back(family());
+    for (const ListedFamily& family : kStructureFamilies) all.push_back(family.describe());
     return all;
   }();
   return kFamilies;
@@ -90,6 +91,14 @@ std::string_view family_of(std::string_view structure) {
     }
   }
   return {};
+}
+
+std::vector<FamilySummary> family_summaries() {
+  std::vector<FamilySummary> all;
+  for (std::size_t i = 0; i < families().size(); ++i) {
+    all.push_back({families()[i].name, kStructureFamilies[i].summary});
+  }
+  return all;
 }
 
 std::vector<std::string_view> structure_groups() {

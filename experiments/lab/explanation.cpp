@@ -2,6 +2,7 @@
 #include "experiments/lab/explanation.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <set>
 #include <string_view>
@@ -60,23 +61,63 @@ std::string with_letters(const Predicate& predicate) {
 // For points: as a multiple of d, the degree of the motions.
 std::string degree_of(const Predicate& predicate, const StructureInfo& info, int held) {
   const int one = predicate.degree(1), two = predicate.degree(2);
+  if (one == 0 && two == 0) return "constant in t";
   if (info.bodies || two != 2 * one)
-    return "degree " + std::to_string(predicate.degree(held)) + " in t there";
+    return "degree " + std::to_string(predicate.degree(held)) + " in t in the example";
   return "degree " + (one == 1 ? std::string() : std::to_string(one)) + "d in t";
+}
+
+// "order_box_area" of "order_box_area/01230145", which is about fewer objects than eight.
+std::string whole_of(std::string_view predicate) {
+  return std::string(predicate.substr(0, predicate.find('/')));
+}
+
+// What a run has of one predicate: forms with other words, as with "smaller" for "larger", and with fewer objects.
+struct PredicateForms {
+  std::string line;                // of the form that says it best
+  std::set<std::string> words;     // of forms of as many objects as that one
+  std::set<std::string> repeated;  // forms in which one object is several arguments
+  int least = 0, most = 0;         // objects of these
+};
+
+std::string in_words(const PredicateForms& forms) {
+  std::string text = forms.line;
+  if (forms.words.size() > 1) {
+    text += "; and " + formats::counted(forms.words.size() - 1, "form", "forms") + " like it";
+  }
+  if (forms.repeated.empty()) return text;
+  return text + "; and where an object is several of these, in " +
+         formats::counted(forms.repeated.size(), "form", "forms") + " of " +
+         std::to_string(forms.least) +
+         (forms.least == forms.most ? "" : " to " + std::to_string(forms.most)) + " objects";
 }
 
 Lines predicates_of(const StructureInfo& info, const Simulator& simulator) {
   const Arithmetic& numbers = simulator.arithmetic();
-  Lines lines;
-  std::set<std::string> told;
+  std::vector<std::string> names;  // in the order of their first forms
+  std::map<std::string, PredicateForms> all;
   for (PredicateId id = 0; id < numbers.predicates(); ++id) {
     const Predicate& predicate = numbers.predicate(id);
-    const std::string words = claim_in_words(predicate.form());
+    const std::string name = whole_of(predicate.name()), words = claim_in_words(predicate.form());
     std::string line = with_letters(predicate) + ", " +
                        degree_of(predicate, info, std::max(1, numbers.needs().degree));
     if (!words.empty()) line += ": " + words;
-    if (told.insert(line).second) lines.push_back(std::move(line));
+    const auto [place, is_new] = all.try_emplace(name);
+    if (is_new) names.push_back(name);
+    PredicateForms& forms = place->second;
+    if (name == predicate.name()) {
+      if (forms.words.empty()) forms.line = line;
+      forms.words.insert(words);
+      continue;
+    }
+    if (forms.line.empty()) forms.line = line;
+    forms.least =
+        forms.repeated.empty() ? predicate.arity() : std::min(forms.least, predicate.arity());
+    forms.most = std::max(forms.most, predicate.arity());
+    forms.repeated.insert(line);
   }
+  Lines lines;
+  for (const std::string& name : names) lines.push_back(in_words(all.at(name)));
   return lines;
 }
 
@@ -86,8 +127,9 @@ Lines bounds_of(const Simulator& simulator, const formats::RunOutcome& outcome,
   for (StructureId id = 0; id < simulator.structures(); ++id) {
     if (simulator.structure(id).name() != structure) continue;
     for (const BoundCheck& bound : outcome.bounds[id]) {
-      lines.push_back(bound.id + ": " + bound.source + " (there " + bound.observed.to_string() +
-                      " <= " + bound.bound.to_string() + ")");
+      lines.push_back(bound.id + ": " + bound.source + " (in the example " +
+                      bound.observed.to_string() + ", at most " + bound.bound.to_string() +
+                      " by the bound)");
     }
   }
   return lines;

@@ -16,6 +16,7 @@
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
+#include "structures/family_summary.h"
 #include "structures/registry.h"
 
 namespace kinex::verbs {
@@ -55,8 +56,44 @@ lab::Explanation explain_group(std::string_view group) {
   return result;
 }
 
+// Its groups, with their structures, and the structures that are in none.
+std::vector<std::string> groups_of(std::string_view family) {
+  std::vector<std::string> lines;
+  for (const std::string_view group : structure_groups()) {
+    std::string members;
+    for (const StructureInfo& info : structure_infos()) {
+      if (info.group != group || family_of(info.name) != family) continue;
+      members += (members.empty() ? "" : ", ") + std::string(info.name);
+    }
+    if (!members.empty()) lines.push_back(std::string(group) + ": " + members);
+  }
+  return lines;
+}
+
+lab::Explanation explain_family(const FamilySummary& family) {
+  const std::string name(family.name);
+  lab::Explanation result{name, "a family of structures: " + std::string(family.summary), {}};
+  std::vector<std::string> members;
+  for (const StructureInfo& info : structure_infos()) {
+    if (family_of(info.name) == family.name)
+      members.push_back(std::string(info.name) + ": " + std::string(info.summary));
+  }
+  result.parts.emplace_back("structures", std::move(members));
+  std::vector<std::string> groups = groups_of(family.name);
+  if (!groups.empty()) {
+    groups.insert(groups.begin(),
+                  "structures of one group maintain the same attribute and report it alike");
+    result.parts.emplace_back("groups", std::move(groups));
+  }
+  result.parts.emplace_back("example",
+                            std::vector<std::string>{"kinex list structures --family " + name,
+                                                     "kinex verify " + name + " --quick"});
+  return result;
+}
+
 std::vector<std::string> known_names() {
   std::vector<std::string> names;
+  for (const FamilySummary& family : family_summaries()) names.emplace_back(family.name);
   for (const StructureInfo& info : structure_infos()) names.emplace_back(info.name);
   for (const std::string_view group : structure_groups()) names.emplace_back(group);
   for (const lab::Workload& workload : lab::workloads()) names.emplace_back(workload.name);
@@ -85,6 +122,9 @@ lab::Explanation explanation_of(const std::string& name, const Voice& voice) {
     if (voice.verbose) add_model(*structure, result);
     return result;
   }
+  for (const FamilySummary& family : family_summaries()) {
+    if (family.name == name) return explain_family(family);  // it says which groups it has
+  }
   for (const std::string_view group : structure_groups()) {
     if (group == name) return explain_group(group);
   }
@@ -95,7 +135,8 @@ lab::Explanation explanation_of(const std::string& name, const Voice& voice) {
   if (const lab::ArithmeticInfo* arithmetic = lab::find_arithmetic_info(name))
     return lab::explain(*arithmetic);
   throw formats::InputError(
-      "explain", "", show_text(name) + " is no name of a structure, workload, paper or arithmetic",
+      "explain", "",
+      show_text(name) + " is no name of a structure, group, family, workload, paper or arithmetic",
       did_you_mean(name, known_names(), "kinex list structures, and so on, names them"));
 }
 
@@ -117,8 +158,11 @@ std::string text_of(const lab::Explanation& explanation, const Voice& voice) {
 void add_explain_verb(CLI::App& app, int&) {
   auto name = std::make_shared<std::string>();
   CLI::App* verb =
-      app.add_subcommand("explain", "Explains a structure, workload, paper or arithmetic");
-  verb->add_option("NAME", *name, "A structure, workload, paper or arithmetic, as kinex list names it")->required();
+      app.add_subcommand("explain", "Explains a structure, family, workload, paper or arithmetic");
+  verb->add_option("NAME", *name,
+                   "A structure, workload, paper or arithmetic, as kinex list names it, or a group "
+                   "or a family of structures")
+      ->required();
   add_voice(*verb, "Print the summary alone",
             "Of a structure: print the model of a run of the example, too");
   verb->footer(
@@ -128,7 +172,8 @@ void add_explain_verb(CLI::App& app, int&) {
       "run\n"
       "of the example scene, what kinex verify expects of it, and example commands.\n"
       "Example:\n  kinex explain " +
-      example_structure(2) + "\n  kinex explain uniform-square");
+      example_structure(2) + "\n  kinex explain uniform-square\n  kinex explain " +
+      std::string(family_of(example_structure(2))));
   verb->callback([name, verb] {
     const Voice voice = voice_of(*verb);
     print(text_of(explanation_of(*name, voice), voice));

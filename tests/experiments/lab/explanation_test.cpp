@@ -15,6 +15,7 @@ namespace explanation_test {
 using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 const std::vector<std::string>* part(const Explanation& explanation, const std::string& heading) {
   for (const auto& [name, lines] : explanation.parts) {
@@ -45,6 +46,15 @@ TEST(Explanation, EveryStructureSaysWhatItIs) {
     }
     EXPECT_THAT(part(explanation, "example")->front(),
                 HasSubstr("--maintain " + std::string(info.name)));
+    if (const std::vector<std::string>* const rows = part(explanation, "predicates")) {
+      EXPECT_LE(rows->size(), 16u);
+      for (const std::string& row : *rows) {
+        EXPECT_THAT(row, Not(HasSubstr("degree 0d")));
+        EXPECT_THAT(row, Not(HasSubstr(" there")));
+      }
+    }
+    for (const std::string& row : *part(explanation, "bounds"))
+      EXPECT_THAT(row, Not(HasSubstr("(there ")));
   }
 }
 
@@ -56,6 +66,17 @@ TEST(Explanation, DegreesAndBoundsOfTheTriangulation) {
                     Contains(HasSubstr("orientation_2(a, b, c), degree 2d in t"))));
   EXPECT_THAT(*part(explanation, "bounds"), Contains(HasSubstr("delaunay_2.compactness: ")));
   EXPECT_THAT(*part(explanation, "verified"), Contains(HasSubstr("delaunay_2.uniform.growth: ")));
+}
+
+// One row a predicate, however often an object is several arguments.
+TEST(Explanation, RowsOfPredicatesAreFew) {
+  const Explanation rectangle = explain(*find_structure_info("min_area_rectangle_directions"));
+  EXPECT_THAT(*part(rectangle, "predicates"),
+              Contains(AllOf(HasSubstr("order_box_area(a, b, c, d, e, f, g, h), degree 2d in t: "),
+                             HasSubstr("; and where an object is several of these, in "),
+                             HasSubstr(" objects"))));
+  EXPECT_THAT(*part(rectangle, "predicates"),
+              Contains(HasSubstr("line_slope_order(a, b), constant in t: ")));
 }
 
 TEST(Explanation, EveryWorkloadAndItsOptions) {
