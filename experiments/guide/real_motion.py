@@ -30,7 +30,7 @@ STARS = ["delaunay_3", "closest_pair_delaunay", "emst_list", "emst_cycles"]
 def ran(command, codes=(0,)):
     done = subprocess.run(command, text=True, capture_output=True, check=False)
     if done.returncode not in codes:
-        sys.exit(f"{' '.join(map(str, command))}: exit code {done.returncode}\n{done.stderr}")
+        sys.exit(f"kinex: {' '.join(map(str, command))}: exit code {done.returncode}\n{done.stderr}")
     return done
 
 
@@ -39,7 +39,7 @@ def summary_of(program, folder, scene, structure, arithmetic):
     done = ran([program, "run", scene, "--maintain", structure, "--arithmetic", arithmetic, "--audit", "end", "--summary",
                 file, "--force"], (0, 1))
     if arithmetic == "exact" and done.returncode != 0:
-        sys.exit(f"{structure} on {scene}: {done.stderr}")
+        sys.exit(f"kinex: {structure} on {scene}: {done.stderr}")
     return json.loads(file.read_text()), done.returncode
 
 
@@ -55,7 +55,7 @@ def row_of(program, folder, scene, structure):
     if code == 0 and apart == "other events":
         wrong = ", unnoticed at the end"
     if exact["violations"]:
-        sys.exit(f"{structure} on {scene}: {exact['violations'][0]}")
+        sys.exit(f"kinex: {structure} on {scene}: {exact['violations'][0]}")
     rebuilds = sum(one["rebuilds"] for one in ledgers.values())
     groups = max(one["largest_group"] for one in ledgers.values())
     live = sum(one["certificates"]["max_live"] for one in ledgers.values())
@@ -79,7 +79,7 @@ def main():
     program, data = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
     for name in ("hurricanes.csv", "nearest_stars.csv"):
         if not (data / name).is_file():
-            sys.exit(f"{data / name}: there is no such file; remedy: name the folder that has it")
+            sys.exit(f"kinex: {data / name}: there is no such file; name the folder that has it")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         storms, stars = folder / "storms.json", folder / "stars.json"
