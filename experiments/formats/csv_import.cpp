@@ -259,7 +259,7 @@ class Importer {
         throw InputError(file_, place_of_row(row),
                          "the id " + show_text(id(row)) + " is that of line " +
                              std::to_string(other->second) + " too",
-                         "ids are unique");
+                         "give one of the two another id, or leave one of the rows out");
       }
       Trajectory trajectory;
       for (std::size_t axis = 0; axis < coordinates_.size(); ++axis) {

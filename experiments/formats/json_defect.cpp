@@ -33,7 +33,8 @@ JsonDefect not_allowed(std::string_view text, std::size_t offset, std::size_t le
 JsonDefect ends_early(std::string_view text) {
   if (text.empty()) return {0, "the file is empty", "complete it to one JSON value"};
   const std::string_view tail = text.substr(text.size() - std::min<std::size_t>(16, text.size()));
-  return {text.size(), "the text ends too early, after " + show_text(tail), "complete it to one JSON value"};
+  return {text.size(), kEndsEarly + (", after " + show_text(tail)),
+          "complete it to one JSON value"};
 }
 
 // The word at `offset`, where rapidjson stopped, in a text that has no string there.

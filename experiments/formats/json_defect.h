@@ -11,6 +11,9 @@
 
 namespace kinex::formats {
 
+// What the problem of a text that stops in the midst of a value begins with.
+inline constexpr const char* kEndsEarly = "the text ends too early";
+
 struct JsonDefect {
   std::size_t offset = 0;  // in the text
   std::string problem, remedy;

@@ -51,7 +51,11 @@ class Checker {
 
   void check(const LogRecord& record) {
     ++verdict_.records;
-    if (record.external) ++verdict_.external;
+    if (record.external) {
+      ++verdict_.external;
+      ++(only_read_.contains(record.structure) ? verdict_.external_by_use.read
+                                               : verdict_.external_by_use.maintained);
+    }
     line_ = record.line;
     if (record.sequence != verdict_.records) {
       complain("sequence number " + std::to_string(record.sequence) + " where " +
@@ -68,7 +72,10 @@ class Checker {
   void finish(const std::optional<LogEnd>& end, std::size_t line) {
     line_ = line;
     verdict_.digest = digest_.hex();
-    if (!end) return complain("the log has no last line: it was cut off");
+    if (!end)
+      return complain(
+          "the log has no last line: it was cut off; run the scene again (kinex run SCENE --events "
+          "FILE); kinex log shows what is there");
     verdict_.status = end->status;
     if (std::find(std::begin(kStatuses), std::end(kStatuses), end->status) == std::end(kStatuses)) {
       complain(quoted(end->status) + " is no way to end; it is done, limit or interrupted");
@@ -395,6 +402,7 @@ class Checker {
   LogVerdict& verdict_;
   const LogHeader& header_;
   LogDigest digest_;
+  const std::set<std::string> only_read_ = labels_only_read(header_);
   std::unordered_map<std::string, std::uint32_t> objects_;
   std::unordered_map<std::string, Structure> structures_;
   std::size_t line_ = 1;

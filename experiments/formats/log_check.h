@@ -18,6 +18,8 @@
 
 #include "core/motion/scene.h"
 #include "experiments/formats/log_reader.h"
+#include "experiments/formats/log_uses.h"
+#include "experiments/formats/unchecked_certificates.h"
 
 namespace kinex::formats {
 
@@ -25,12 +27,13 @@ struct LogVerdict {
   LogHeader header;
   std::uint64_t records = 0;
   std::uint64_t external = 0;
+  ExternalByUse external_by_use;   // the same in two parts
   std::uint64_t instants = 0;      // distinct (logs with names only)
   std::string status;              // of the last line; empty if there is none
   std::string digest;              // recomputed
   bool with_scene = false;         // level 2 was checked
   std::uint64_t certificates = 0;  // certificates checked at level 2
-  std::uint64_t unchecked = 0;     // certificates that level 2 could not check
+  UncheckedCertificates unchecked;  // those that level 2 could not check
   // "line 7: ..." for each claim that does not hold; at most kMaxProblems are kept.
   static constexpr std::size_t kMaxProblems = 20;
   std::vector<std::string> problems;

@@ -9,6 +9,7 @@
 #include "experiments/formats/counted.h"
 #include "experiments/formats/event_log.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/json_defect.h"
 #include "experiments/formats/json_node.h"
 #include "experiments/formats/json_writer.h"
 
@@ -252,6 +253,22 @@ LogReader::LogReader(std::string_view text, std::string file)
   read_header(line);
 }
 
+JsonDocument LogReader::parse_line(std::string_view line) const {
+  try {
+    return parse_json(line, file_, line_);
+  } catch (const InputError& error) {
+    // Only a log that was cut off has a line without its end.
+    if (!rest_.empty() || text_.ends_with('\n') || !error.problem().starts_with(kEndsEarly)) throw;
+    const std::string whole = std::to_string(line_ - 1);
+    throw InputError(error.file(), error.place(),
+                     "the log is cut off within its last line: " + error.problem(),
+                     line_ == 1 ? "run the scene again (kinex run SCENE --events FILE)"
+                                : "run the scene again (kinex run SCENE --events FILE), or keep "
+                                  "the whole lines: head -n " +
+                                      whole + " " + file_ + " > WHOLE.log");
+  }
+}
+
 bool LogReader::next_line(std::string_view& line) {
   if (rest_.empty()) return false;
   const std::size_t newline = rest_.find('\n');
@@ -262,7 +279,7 @@ bool LogReader::next_line(std::string_view& line) {
 }
 
 void LogReader::read_header(std::string_view line) {
-  const JsonDocument document = parse_json(line, file_, line_);
+  const JsonDocument document = parse_line(line);
   const JsonValue& tree = *document;
   const JsonSource source{file_, line, line_};
   const JsonNode node(tree, source);
@@ -303,7 +320,7 @@ bool LogReader::next(LogRecord& record) {
     throw InputError(file_, "line " + std::to_string(line_), "text after the last line of the log",
                      "remove it");
   }
-  const JsonDocument document = parse_json(line, file_, line_);
+  const JsonDocument document = parse_line(line);
   const JsonValue& tree = *document;
   const JsonSource source{file_, line, line_};
   const JsonNode node(tree, source);

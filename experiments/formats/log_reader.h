@@ -12,6 +12,7 @@
 #include "core/numbers/instant_name.h"
 #include "core/numbers/polynomial.h"
 #include "core/numbers/rational.h"
+#include "experiments/formats/json_document.h"
 #include "experiments/formats/provenance.h"
 
 namespace kinex::formats {
@@ -100,6 +101,8 @@ class LogReader {
 
  private:
   bool next_line(std::string_view& line);
+  // Says of the last line of a log that was cut off what to do.
+  JsonDocument parse_line(std::string_view line) const;
   void read_header(std::string_view line);
 
   std::string_view text_, rest_;

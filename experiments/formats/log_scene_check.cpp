@@ -73,7 +73,7 @@ std::string LogSceneCheck::check(const LogRecord& record, RealRoot* instant) {
   if (const std::string problem = feature_problem(record.ids); !problem.empty()) return problem;
   if (!record.certificate) return "";
   if (instant == nullptr || lost_ || scene_.has_bodies()) {
-    ++unchecked_;
+    ++(scene_.has_bodies() ? unchecked_.of_bodies : unchecked_.without_instant);
     return "";
   }
   return check_certificate(record, *instant);
@@ -182,7 +182,7 @@ std::string LogSceneCheck::check_certificate(const LogRecord& record, RealRoot& 
   }
   const std::span<const Trajectory* const> of(motions.data(), fits ? said.ids.size() : 0);
   if (!fits || std::find(of.begin(), of.end(), nullptr) != of.end()) {
-    ++unchecked_;
+    ++unchecked_.unsaid[said.predicate];
     return "";
   }
   ++certificates_;

@@ -19,6 +19,7 @@
 #include "experiments/formats/certificate_polynomial.h"
 #include "experiments/formats/direction_meanings.h"
 #include "experiments/formats/log_reader.h"
+#include "experiments/formats/unchecked_certificates.h"
 
 namespace kinex::formats {
 
@@ -43,7 +44,7 @@ class LogSceneCheck {
   std::vector<LateProblem> late_problems(bool at_end = false);
 
   std::uint64_t certificates() const { return certificates_; }
-  std::uint64_t unchecked() const { return unchecked_; }
+  const UncheckedCertificates& unchecked() const { return unchecked_; }
 
  private:
   void note_change(const LogRecord& record, RealRoot* instant);
@@ -88,7 +89,8 @@ class LogSceneCheck {
   bool again_ = false;  // its structure has another record at the instant before it
   std::multimap<std::string, LateProblem> doubts_;  // by label, at the instant
   std::vector<LateProblem> late_;
-  std::uint64_t certificates_ = 0, unchecked_ = 0;
+  std::uint64_t certificates_ = 0;
+  UncheckedCertificates unchecked_;
   RootCounters counters_;
 };
 

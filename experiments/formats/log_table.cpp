@@ -197,6 +197,7 @@ LogTable log_table(LogReader& reader, const LogFilter& filter, LogTableForm form
   const bool csv = form == LogTableForm::kCsv;
   const std::vector<std::size_t> places =
       places_of(columns, csv ? csv_columns() : plain_columns());
+  const std::set<std::string> only_read = labels_only_read(header);
   LogTable table;
   std::vector<LogRow> rows;
   if (csv) {
@@ -210,6 +211,8 @@ LogTable log_table(LogReader& reader, const LogFilter& filter, LogTableForm form
   LogRecord record;
   while (reader.next(record)) {
     ++table.records;
+    if (record.external)
+      ++(only_read.contains(record.structure) ? table.external.read : table.external.maintained);
     if (!filter.wants(record)) continue;
     ++table.shown;
     if (csv) {

@@ -13,6 +13,7 @@
 
 #include "experiments/formats/log_filter.h"
 #include "experiments/formats/log_reader.h"
+#include "experiments/formats/log_uses.h"
 
 namespace kinex::formats {
 
@@ -32,6 +33,7 @@ enum class LogTableForm {
 struct LogTable {
   std::string text;
   std::uint64_t shown = 0, records = 0;
+  ExternalByUse external;  // of all records
   bool complete = true;  // false: the log was cut off
 };
 

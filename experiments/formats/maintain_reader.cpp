@@ -365,6 +365,32 @@ void read_short_entry(const std::string& entry, Scene& scene) {
   scene.maintain.push_back(std::move(request));
 }
 
+// An entry of --maintain.
+void read_option_entry(const std::string& entry, Scene& scene) {
+  if (entry.empty() || entry[0] != '{') return read_short_entry(entry, scene);
+  const JsonDocument document = parse_json(entry, kOption);
+  const JsonValue& tree = *document;
+  const JsonSource source{kOption, entry};
+  read_entry(JsonNode(tree, source), scene);
+}
+
+// All of them in one: "PROBLEM; REMEDY; and PROBLEM; REMEDY", the first few.
+InputError all_of(const std::vector<InputError>& errors) {
+  const InputError& first = errors.front();
+  std::string remedy = first.remedy();
+  constexpr std::size_t kMostTold = 8;
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    if (i == kMostTold) {
+      remedy += "; and " + std::to_string(errors.size() - i) + " more";
+      break;
+    }
+    remedy += "; and " + (errors[i].place().empty() ? "" : errors[i].place() + ": ") +
+              errors[i].problem();
+    if (!errors[i].remedy().empty()) remedy += "; " + errors[i].remedy();
+  }
+  return {first.file(), first.place(), first.problem(), remedy};
+}
+
 }  // namespace
 
 void read_maintain(const JsonNode& node, Scene& scene) {
@@ -380,19 +406,18 @@ void read_maintain(const JsonNode& node, Scene& scene) {
 
 void set_maintain(Scene& scene, const std::vector<std::string>& texts) {
   scene.maintain.clear();
+  std::vector<InputError> errors;
   for (const std::string& text : texts) {
     for (const std::string& entry : split_entries(text)) {
-      if (!entry.empty() && entry[0] == '{') {
-        const JsonDocument document = parse_json(entry, kOption);
-        const JsonValue& tree = *document;
-        const JsonSource source{kOption, entry};
-        read_entry(JsonNode(tree, source), scene);
-      } else {
-        read_short_entry(entry, scene);
+      try {
+        read_option_entry(entry, scene);
+      } catch (const InputError& error) {
+        errors.push_back(error);
       }
       if (are_too_many(scene)) break;
     }
   }
+  if (!errors.empty()) throw all_of(errors);
   if (const auto complaint = complaint_about_number(scene)) {
     throw InputError(kOption, "", complaint->problem, complaint->remedy);
   }

@@ -75,13 +75,6 @@ std::string left_out(const Scene& scene, const PlanCounts& counts) {
   }
   if (counts.updates == 0) add("flight-plan changes");
   if (counts.insertions + counts.erasures == 0) add("insertions and erasures");
-  std::size_t others = 0;
-  for (const StructureInfo& info : structure_infos()) {
-    bool asked = false;
-    for (const Request& request : scene.maintain) asked = asked || request.structure == info.name;
-    if (!asked) ++others;
-  }
-  if (others > 0) add(counted(others, "structure", "structures") + " not requested");
   return text.empty() ? "nothing" : text;
 }
 

@@ -124,7 +124,8 @@ class Reader {
     } else if (!of_fixes || !tracks_[at->second].of_fixes) {
       feature.fail("the id " + show_text(id) + " is that of line " +
                        std::to_string(tracks_[at->second].line) + " too",
-                   "ids are unique; several prisms of one object are a MovingGeometryCollection");
+                   "give one of them another id; several prisms of one object are a "
+                   "MovingGeometryCollection");
     }
     return tracks_[at->second];
   }

@@ -52,6 +52,13 @@ struct RunCounts {
 };
 RunCounts counts_of(const Simulator& simulator);
 
+// Structures of two kinds: those that the scene maintains, and those that exist for them to read. Of each kind the
+// counts alone; "instants" are those of the whole run.
+struct CountsByUse {
+  RunCounts maintained, read;
+};
+CountsByUse counts_by_use(const Simulator& simulator);
+
 std::string_view status_name(RunStatus status);  // "done", "limit", "interrupted"
 
 }  // namespace kinex::formats

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/formats/run_report.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "experiments/formats/attribute_json.h"
@@ -16,19 +17,52 @@ std::string shortened(std::string text) {
   return text;
 }
 
-std::string cell(const std::string& text, std::size_t width) {
-  return text.size() < width ? std::string(width - text.size(), ' ') + text : " " + text;
+constexpr std::size_t kLeastLabel = 24, kLeastCount = 11;
+
+using Row = std::vector<std::string>;
+
+Row head_row() {
+  return {"",         "events", "external", "internal",   "failures",
+          "rebuilds", "groups", "max live", "max/object", "violations"};
 }
 
-std::string row_of(const StructureLedger& ledger) {
-  std::string text;
+Row row_of(const std::string& label, const StructureLedger& ledger) {
+  Row row{label};
   for (const std::uint64_t count :
        {ledger.processed, ledger.external, ledger.internal, ledger.failures, ledger.rebuilds,
         ledger.simultaneous_groups, ledger.max_live, ledger.max_per_object,
         ledger.audit_violations}) {
-    text += cell(std::to_string(count), 11);
+    row.push_back(std::to_string(count));
+  }
+  return row;
+}
+
+// Labels flush left, counts flush right, each column as wide as its longest field.
+std::string aligned(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), kLeastCount);
+  widths.front() = kLeastLabel;
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], row[i].size() + (i == 0 ? 0 : 1));
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string space(widths[i] - row[i].size(), ' ');
+      text += i == 0 ? row[i] + space : space + row[i];
+    }
+    text += "\n";
   }
   return text;
+}
+
+// What the column "groups" counts, if there is something in it.
+std::string groups_note(const Simulator& simulator) {
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    if (simulator.ledger(id).simultaneous_groups > 0)
+      return "groups    instants at which several certificates of a structure fail\n";
+  }
+  return "";
 }
 
 // A structure is rebuilt where certificates fail together in a way that no repairs resolve, and where points
@@ -46,19 +80,28 @@ std::string rebuild_warning(const std::string& label, const StructureLedger& led
          (exact ? "" : "; compare with --arithmetic exact") + "\n";
 }
 
+// "12 events (5 external, 7 internal) from 10 certificate failures"
+std::string events_text(const RunCounts& counts) {
+  return counted(counts.events(), "event", "events") + " (" + std::to_string(counts.external) +
+         " external, " + std::to_string(counts.internal) + " internal) from " +
+         counted(counts.failures, "certificate failure", "certificate failures");
+}
+
 std::string last_line(const Simulator& simulator, const RunOutcome& outcome) {
-  const RunCounts counts = counts_of(simulator);
+  const CountsByUse counts = counts_by_use(simulator);
+  const std::string read =
+      counts.read.records == 0 && counts.read.events() == 0
+          ? ""
+          : ", and " + events_text(counts.read) + " of structures that these read,";
   char times[160];
   std::snprintf(times, sizeof times,
                 "; CPU: setup %.3f s, simulate %.3f s, report %.3f s, audit %.3f s\n",
                 simulator.seconds_setup(), simulator.seconds_simulate(), simulator.seconds_report(),
                 simulator.seconds_audit());
-  return std::string(status_name(outcome.status)) + ": " +
-         counted(counts.events(), "event", "events") + " (" + std::to_string(counts.external) +
-         " external, " + std::to_string(counts.internal) + " internal) from " +
-         counted(counts.failures, "certificate failure", "certificate failures") + " at " +
-         counted(counts.instants, "instant", "instants") + "; " +
-         counted(counts.records, "log record", "log records") + times;
+  return std::string(status_name(outcome.status)) + ": " + events_text(counts.maintained) + read +
+         " at " + counted(counts.maintained.instants, "instant", "instants") + "; " +
+         counted(counts.maintained.records + counts.read.records, "log record", "log records") +
+         times;
 }
 
 // at 3  rank_kd_tree_2 in [20, 80] x [20, 80]: ["a", "b"] by 7 nodes and 12 signs
@@ -83,17 +126,11 @@ std::string answer_lines(const Sample& sample, const BoxAnswer& query,
 }  // namespace
 
 std::string describe_results(const Simulator& simulator, const RunOutcome& outcome) {
-  std::string text = "\n" + cell("", 24);
-  for (const char* column : {"events", "external", "internal", "failures", "rebuilds", "groups",
-                             "max live", "max/object", "violations"}) {
-    text += cell(column, 11);
-  }
-  text += "\n";
+  std::vector<Row> rows{head_row()};
   for (StructureId id = 0; id < simulator.structures(); ++id) {
-    std::string label = simulator.label(id);
-    if (label.size() < 24) label.resize(24, ' ');
-    text += label + row_of(simulator.ledger(id)) + "\n";
+    rows.push_back(row_of(simulator.label(id), simulator.ledger(id)));
   }
+  std::string text = "\n" + aligned(rows) + groups_note(simulator);
   for (StructureId id = 0; id < simulator.structures(); ++id) {
     for (const auto& [reason, count] : simulator.ledger(id).rebuild_reasons) {
       text += "rebuilt   " + simulator.label(id) + ", " + counted(count, "time", "times") + ": " +

@@ -10,7 +10,8 @@
 
 namespace kinex::formats {
 
-// A table of counts by structure, the bounds, samples; a last line with all counts and the seconds.
+// A table of counts by structure, the bounds, samples; a last line with the counts of what the scene maintains, those
+// of structures that exist only to be read, and the seconds.
 std::string describe_results(const Simulator& simulator, const RunOutcome& outcome);
 
 // Failures: violated bounds, corruption, violations found by audits.

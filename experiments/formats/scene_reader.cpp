@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/formats/scene_reader.h"
 
+#include <algorithm>
 #include <cctype>
 #include <string>
 #include <utility>
@@ -150,7 +151,7 @@ void read_objects(const JsonNode& node, Scene& scene) {
     if (first != i) {
       id.fail(
           "the id " + shown(id.value()) + " is that of /objects/" + std::to_string(first) + " too",
-          "ids are unique");
+          "give one of the two objects another id");
     }
     if (i == 0) scene.extents = read_kind_of_extents(entry);
     check_kind_of_extents(entry, scene);
@@ -171,17 +172,49 @@ void read_objects(const JsonNode& node, Scene& scene) {
   check_appearances(node, scene);
 }
 
-// Throws InputError for a table or an event log in place of a scene, and says what reads it.
+// A first line of names, and a second one of as many fields; a script may have a comma, too.
+bool is_table(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  if (line.empty() || std::isalpha(static_cast<unsigned char>(line.front())) == 0) return false;
+  const std::size_t at = line.find_first_of(",;\t");
+  if (at == line.npos) return false;
+  std::string_view second = text.substr(std::min(text.size(), line.size() + 1));
+  second = second.substr(0, second.find('\n'));
+  return second.find_first_not_of(" \t\r") == second.npos ||
+         std::count(line.begin(), line.end(), line[at]) ==
+             std::count(second.begin(), second.end(), line[at]);
+}
+
+// Text that no JSON begins with: a script, a page, a letter.
+bool is_no_json(std::string_view text) {
+  const std::size_t at = text.find_first_not_of(" \t\r\n");
+  if (at == text.npos) return false;
+  const char first = text[at];
+  return first > ' ' && first < 0x7f &&
+         std::string_view("{[\"/-+.").find(first) == std::string_view::npos &&
+         std::isdigit(static_cast<unsigned char>(first)) == 0;
+}
+
+// Throws InputError for a table, an event log or other text in place of a scene, and says what reads it.
 void refuse_other_formats(std::string_view text, const std::string& file) {
   if (text.starts_with("{\"format\": \"" + std::string(kLogFormat) + "\"")) {
     throw InputError(file, "line 1", "this is an event log, not a scene",
                      "give the scene that it was made from; kinex check, log and view read logs");
   }
-  const std::string_view line = text.substr(0, text.find('\n'));
-  const bool named = !line.empty() && std::isalpha(static_cast<unsigned char>(line.front())) != 0;
-  if (named && line.find_first_of(",;\t") != line.npos) {
+  if (is_table(text)) {
     throw InputError(file, "line 1", "this is a table, not a scene",
                      "kinex import " + file + " -o SCENE.json makes a scene of it");
+  }
+  if (is_no_json(text)) {
+    std::string_view line = text.substr(text.find_first_not_of(" \t\r\n"));
+    line = line.substr(0, line.find_first_of("\r\n"));
+    const auto before = text.substr(0, static_cast<std::size_t>(line.data() - text.data()));
+    throw InputError(file,
+                     "line " + std::to_string(std::count(before.begin(), before.end(), '\n') + 1),
+                     show_text(line) + " begins neither a scene nor an event log",
+                     "give a scene (JSON, as kinex gen and kinex import make it), or to kinex "
+                     "check, log and view an "
+                     "event log (kinex run SCENE --events FILE)");
   }
 }
 

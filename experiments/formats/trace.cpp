@@ -69,7 +69,7 @@ void add_fixed(Scene& scene, const std::string& text, bool body) {
   for (const SceneObject& object : scene.objects) {
     if (object.id != fields[0]) continue;
     throw InputError(option, "", "there is an object " + show_text(fields[0]) + " already",
-                     "ids are unique; give another name");
+                     "give one of them another name");
   }
   Trajectory trajectory;
   for (std::size_t axis = 0; axis < axes; ++axis) {

@@ -45,7 +45,7 @@ std::string levels_text(const formats::LogVerdict& verdict) {
   if (verdict.with_scene) {
     text += "; the scene, and the polynomials of " +
             formats::counted(verdict.certificates, "certificate", "certificates");
-    if (verdict.unchecked != 0) text += " (not of " + std::to_string(verdict.unchecked) + ")";
+    if (verdict.unchecked.count() != 0) text += "\n          " + verdict.unchecked.text();
   }
   return text + "\n          " +
          (verdict.with_scene ? "" : "--scene SCENE checks the certificates too; ") +
@@ -57,7 +57,7 @@ std::string log_text(const formats::LogVerdict& verdict) {
                      verdict.header.build + "\n";
   text += "scene     " + verdict.header.scene_hash + "\n";
   text += "records   " + formats::counted(verdict.records, "log record", "log records") + ", " +
-          std::to_string(verdict.external) + " external";
+          verdict.external_by_use.text();
   if (verdict.header.has_names()) {
     text += ", at " + formats::counted(verdict.instants, "instant", "instants");
   }

@@ -40,8 +40,7 @@ void show_log(const LogOptions& options, const Voice& voice) {
   if (table.complete) {
     voice.detail("run " + reader.end()->status + ", " +
                  formats::counted(reader.end()->records, "log record", "log records") + ", " +
-                 std::to_string(reader.end()->external) + " external, digest " +
-                 reader.end()->digest);
+                 table.external.text() + ", digest " + reader.end()->digest);
   }
   if (!filter.wants_all()) {
     voice.note(std::to_string(table.shown) + " of " +
@@ -49,7 +48,9 @@ void show_log(const LogOptions& options, const Voice& voice) {
   }
   if (!table.complete) {
     voice.note(options.file +
-               ": the log has no last line, its run was cut off; kinex check tells what it holds");
+               ": the log has no last line: its run was cut off, and what is shown is all that was "
+               "written; for a "
+               "whole log run the scene again (kinex run SCENE --events FILE)");
   }
 }
 

@@ -382,6 +382,13 @@ void add_run_verb(CLI::App& app, int& exit_code) {
             "Print the model in detail, as --explain does, before the run");
   verb->footer("Structures (kinex list structures, kinex explain NAME):\n" +
                lab::structure_names_by_family() +
+               "Columns of the report, of each structure, those included that others read:\n"
+               "  events      external (they change what is maintained) and internal ones\n"
+               "  failures    certificates that failed\n"
+               "  rebuilds    times that its whole proof was made anew; lines \"rebuilt\" say why\n"
+               "  groups      instants at which several of its certificates failed\n"
+               "  max live    certificates at one time; max/object: of one object\n"
+               "  violations  found by audits\n"
                "Where the log or the summary is printed, the report is on standard error.\n"
                "Example:\n  kinex run square.json --arithmetic exact --events square.log --at 1/3\n"
                "  kinex run square.json --explain");

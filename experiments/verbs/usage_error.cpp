@@ -162,6 +162,45 @@ std::string meaning_of(const CLI::App& verb, const std::string& name) {
   return "";
 }
 
+// The first example of a help text with this option: "kinex view square.json -o square.html"; empty if there is none.
+std::string example_with(const CLI::App& verb, const std::string& option) {
+  const std::string footer = verb.get_footer();
+  for (std::size_t at = 0; at != std::string::npos; at = footer.find('\n', at)) {
+    at = footer.find_first_not_of(" \n", at);
+    if (at == std::string::npos) break;
+    const std::string line = footer.substr(at, footer.find('\n', at) - at);
+    if (line.starts_with(command_of(verb)) && line.find(" " + option + " ") != std::string::npos)
+      return line;
+  }
+  return "";
+}
+
+// What stands behind an option, by an example: "FILE.html" for "kinex view square.json -o square.html".
+std::string value_in(const std::string& example, const CLI::Option& option,
+                     const std::string& shown) {
+  const std::size_t at = example.find(" " + shown + " ");
+  if (at != std::string::npos) {
+    const std::size_t begin = at + shown.size() + 2;
+    const std::string value = example.substr(begin, example.find(' ', begin) - begin);
+    const std::size_t dot = value.rfind('.');
+    if (dot != std::string::npos && dot > 0) return "FILE" + value.substr(dot);
+  }
+  return option.get_description().find("folder") == std::string::npos ? "FILE" : "FOLDER";
+}
+
+// "--output is missing; write -o FILE.html, as in kinex view square.json -o square.html"
+std::string missing_option(const CLI::App& verb, const std::string& name) {
+  const CLI::Option* const option = verb.get_option_no_throw(name);
+  std::string text = place_of(verb) + name + " is missing";
+  if (option == nullptr) return text + "; give it (" + help_of(verb) + " tells what it is)";
+  const std::vector<std::string>& letters = option->get_snames();
+  const std::string shown = letters.empty() ? name : "-" + letters.front();
+  const std::string example = example_with(verb, shown);
+  text += "; write " + shown + " " + value_in(example, *option, shown);
+  if (!example.empty()) text += ", as in " + example;
+  return text + " (" + help_of(verb) + " tells what it is)";
+}
+
 // "SCENE is required"
 std::string missing_argument(const CLI::App& app, const std::string& message) {
   const CLI::App& verb = innermost(app);
@@ -172,9 +211,7 @@ std::string missing_argument(const CLI::App& app, const std::string& message) {
            " (" + help_of(verb) + " tells what they do)";
   }
   const std::string name = message.substr(0, message.find(' '));
-  if (name.starts_with("--")) {
-    return place_of(verb) + name + " is missing; give it (" + help_of(verb) + " tells what it is)";
-  }
+  if (name.starts_with("--")) return missing_option(verb, name);
   return place_of(verb) + name + " is missing" + meaning_of(verb, name) + "; write " + command_of(verb) + arguments_of(verb, name) +
          " (" + help_of(verb) + " tells what it is)";
 }

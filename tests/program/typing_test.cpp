@@ -6,6 +6,8 @@
 #include <sstream>
 
 #include "experiments/formats/json_document.h"
+#include "structures/family_summary.h"
+#include "structures/registry.h"
 #include "tests/program/spawn.h"
 
 namespace kinex {
@@ -45,7 +47,10 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
        "sweep: \"lst\" is not a verb; did you mean list? kinex help sweep lists them"},
       {{"sweep"}, "sweep: no verb is given; write one of list"},
       {{"run"}, "run: SCENE is missing: scene file, - reads standard input; write kinex run SCENE"},
-      {{"view", scene_}, "view: --output is missing; give it"},
+      {{"view", scene_},
+       "view: --output is missing; write -o FILE.html, as in kinex view square.json -o square.html "
+       "(kinex help view"},
+      {{"sweep", "run", "plan.json"}, "sweep run: --output is missing; write -o FOLDER"},
       {{"run", scene_, "--maximum"}, "run: \"--maximum\" is not an option; "},
       {{"run", scene_, "--untli", "1"},
        "run: \"--untli\" is not an option; did you mean --until? kinex help run"},
@@ -178,6 +183,24 @@ TEST_F(Typing, ListsAndTheirExplanations) {
       EXPECT_THAT(explained.out, HasSubstr("\nexample       kinex "));
     }
   }
+  // Families and groups, too, with a line for each structure.
+  std::size_t listed = 0;
+  for (const FamilySummary& family : family_summaries()) {
+    const Finished explained = run_kinex({"explain", std::string(family.name)});
+    EXPECT_EQ(explained.exit_code, 0) << family.name;
+    EXPECT_THAT(explained.out, StartsWith(std::string(family.name) + "  a family of structures: " +
+                                          std::string(family.summary) + "\n"));
+    for (const StructureInfo& info : structure_infos()) {
+      if (family_of(info.name) != family.name) continue;
+      EXPECT_THAT(explained.out, HasSubstr(" " + std::string(info.name) + ": " +
+                                           std::string(info.summary) + "\n"));
+      ++listed;
+    }
+  }
+  EXPECT_EQ(listed, structure_infos().size());
+  EXPECT_THAT(run_kinex({"explain", "proximity"}).out, HasSubstr(" closest_pair: closest_pair_"));
+  EXPECT_THAT(run_kinex({"explain", "convex_hull"}).out,
+              HasSubstr("\nstructures    convex_hull_2: "));
   // Trees are asked something: trajectory_tree has no events that would show what it does.
   for (const char* tree : {"range_tree_2", "trajectory_tree"}) {
     const std::string file = scratch_.file("searched.json"), words = " --audit events --at 1/2 --query 1/4,3/4,1/4,3/4\n";

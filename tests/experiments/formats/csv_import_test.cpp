@@ -173,7 +173,8 @@ TEST(CsvImport, FixedObjectsAreRefusedWithARemedy) {
   EXPECT_INPUT_ERROR(fixed("Sun,0,0,0"), "--fixed: \"Sun,0,0,0\" has 4 fields, not 3");
   EXPECT_INPUT_ERROR(fixed(""), "--fixed: \"\" has 1 field, not 3");
   EXPECT_INPUT_ERROR(fixed(",0,0"), "--fixed: an empty id; write a name");
-  EXPECT_INPUT_ERROR(fixed("a,0,0"), "--fixed: there is an object \"a\" already; ids are unique");
+  EXPECT_INPUT_ERROR(fixed("a,0,0"),
+                     "--fixed: there is an object \"a\" already; give one of them another name");
   EXPECT_INPUT_ERROR(fixed("first,1,0"), "there is an object \"first\" already");
   EXPECT_INPUT_ERROR(fixed("Sun,0,zero"), "\"zero\" in \"Sun,0,zero\" is not a number; write an");
   EXPECT_INPUT_ERROR(fixed("Sun,1/0,0"), "\"1/0\" in");

@@ -251,6 +251,21 @@ TEST(SceneHash, DependsOnContentNotOnForm) {
   EXPECT_NE(formats::scene_hash(with_coefficient("0.5, 1")), hash);
 }
 
+// What is neither a scene nor a log is named as such; a script may have commas in its first line.
+TEST(SceneReader, OtherFiles) {
+  const std::string script =
+      "kinex gen uniform-square --n 20 --maintain delaunay_2,sorted_list\nkinex run square.json\n";
+  EXPECT_INPUT_ERROR(formats::parse_scene(script, "run.sh"),
+                     "run.sh: line 1: \"kinex gen uniform-square --n 20 --mainta\" (65 bytes) "
+                     "begins neither a scene nor "
+                     "an event log; give a scene (JSON, as kinex gen and kinex import make it)");
+  EXPECT_INPUT_ERROR(formats::parse_scene("\n#!/bin/sh\n", "run.sh"),
+                     "run.sh: line 2: \"#!/bin/sh\" begins neither");
+  EXPECT_INPUT_ERROR(formats::parse_scene("id,t,x\na,0,1\n", "t.csv"),
+                     "this is a table, not a scene");
+  EXPECT_INPUT_ERROR(formats::parse_scene("id;t;x", "t.csv"), "this is a table, not a scene");
+}
+
 TEST(SceneReader, MaintainOption) {
   Scene scene = parse(kExample);
   formats::set_maintain(scene, {"sorted_list", "sorted_list:y", "delaunay_2"});
@@ -263,6 +278,14 @@ TEST(SceneReader, MaintainOption) {
                      "\"delaunay_2\" takes no key, as \"x\"; write delaunay_2 alone");
   EXPECT_INPUT_ERROR(formats::set_maintain(scene, {"delaunay_2", "delaunay_2"}), "stands twice");
   EXPECT_INPUT_ERROR(formats::set_maintain(scene, {"sorted_list,"}), "\"\" is not a known structure");
+  // All that is wrong, and not the first alone.
+  EXPECT_INPUT_ERROR(
+      formats::set_maintain(scene, {"tap,delaunay_2", "sorted_lisd,delaunay_2:x"}),
+      "--maintain: \"tap\" is not a known structure; kinex list structures names them; and "
+      "\"sorted_lisd\" is not a known structure; did you mean sorted_list?; and \"delaunay_2\" "
+      "takes "
+      "no key, as \"x\"; write delaunay_2 alone");
+  EXPECT_INPUT_ERROR(formats::set_maintain(scene, {"a,b,c,d,e,f,g,h,i,j"}), "; and 2 more");
 }
 
 // A structure's id is a byte, and one of its values is that of none.
