@@ -9,6 +9,7 @@ import fractions
 import json
 import math
 import pathlib
+import re
 import struct
 import subprocess
 import sys
@@ -173,6 +174,12 @@ def check_sizes(viewer, name):
     viewer.window.size(1400, 950)
 
 
+# A square that turns and a wedge, as in the guide: an order of normals fails first.
+TURNING = {"kinex": 1, "name": "turning", "dimension": 2, "time": {"start": 0, "end": "1/2"}, "maintain": ["separation_mixed"],
+           "objects": [{"id": "square", "polygon": [[-1, -1], [1, -1], [1, 1], [-1, 1]], "motion": [[0], [0]],
+                        "rotor": [[1], [0, 1]]},
+                       {"id": "wedge", "polygon": [[0, 0], [2, "-1/2"], [2, "1/2"]],
+                        "motion": [{"coordinates": [[2, "-1/2"], [1]], "rotor": [[1, -2], [0, 2]]}]}]}
 # Two ships as in the guide: a name would lie over a number of the scales.
 SHIPS = "id,t,x,y,course\n" + "".join(f"ferry,{t},{x},{y},{course}\n" for t, x, y, course in (
     (0, -900, -150, 80), (60, -420, -60, 80), (120, 60, 20, 95), (180, 540, -20, 95))) + (
@@ -319,6 +326,59 @@ def check_figures(viewer):
             fail(f"{name} is not drawn: {drawn} pixels")
 
 
+def check_sets(viewer):
+    """A sequence that is no order by a key is marked points; an order is joined."""
+    viewer.kinex("gen", "uniform-square", "--n", "9", "--seed", "1", "--maintain", "trajectory_tree,sorted_list", "-o", "sets.json")
+    viewer.kinex("view", "sets.json", "-o", "sets.html")
+    viewer.open("sets.html")
+    for index, (lines, rings) in enumerate(((0, 9), (1, 0))):
+        viewer.say(f"app.setStructure({index}); app.setMode('plane');")
+        svg = viewer.ask("pictureAsSvg(500, 400)")
+        colour = viewer.ask("COLOUR.first")
+        paths = [path for path in re.findall(r'<path d="([^"]*)" fill="none" stroke="([^"]*)"', svg) if path[1] == colour]
+        seen = (sum("L" in d for d, _ in paths), sum("A" in d for d, _ in paths))
+        if seen != (lines, rings):
+            fail(f"structure {index} is drawn by {seen[0]} lines and {seen[1]} rings, not {lines} and {rings}")
+
+
+def check_next(viewer):
+    """The page opens with the structure that was asked for; what fails next is marked whenever some certificate fails."""
+    viewer.open("figures.html")
+    label = viewer.ask("DATA.structures[app.index].label")
+    if label != "min_circle_2":
+        fail(f"the page opens with {label}")
+    seen = viewer.ask("(() => { const seen = []; app.setStructure(DATA.structures.findIndex(s => s.name === 'width_2'));"
+                      " for (let k = BEFORE; k <= LAST; k += 3) { app.setEvent(k); app.draw(); const { proof } = app;"
+                      " const fails = [...proof.live].map(c => proof.failsAt(c, k)).filter(e => e !== null).sort((a, b) => a - b);"
+                      " const next = proof.next(k); seen.push([fails.length ? fails[0] : null, next && next[1],"
+                      " document.getElementById('legend').textContent.includes('none of these')]); } return seen; })()")
+    for first, marked, none in seen:
+        if first != marked or none != (first is None):
+            fail(f"the first failure is at {first}, marked is {marked}")
+    if all(none for *_, none in seen):
+        fail("no certificate of the width fails")
+
+
+def check_leaders(viewer):
+    """Labels of an order stand at their points as far as there is room; two normals are drawn inside of their chart."""
+    places = "placesInOrder({}, 16, 44, 400)"
+    for wanted, answer in (("[60, 100, 300]", [60, 100, 300]), ("[100, 50, 200]", [67, 83, 200]), ("[60, 60, 60]", [44, 60, 76]),
+                           ("[undefined, 390, 395]", [368, 384, 400]), ("[]", [])):
+        if viewer.ask(places.format(wanted)) != answer:
+            fail(f"labels for {wanted} are at {viewer.ask(places.format(wanted))}, not {answer}")
+    (viewer.folder / "turning.json").write_text(json.dumps(TURNING))
+    viewer.kinex("view", "turning.json", "-o", "turning.html")
+    viewer.open("turning.html")
+    for width, height in ((1400, 950), (1024, 640), (420, 800)):
+        viewer.window.size(width, height, False)
+        seen = viewer.ask("(() => { const places = [], plain = badge; badge = (c, text, x, y) => places.push([x, y]);"
+                          " app.setEvent(0); app.draw(); badge = plain; return [app.drawing.chart.frame.rectangle, places]; })()")
+        (left, top, wide, high), badges = seen
+        if len(badges) < 2 or any(not (left + 8 < x < left + wide - 8 and top + 8 < y < top + high - 8) for x, y in badges):
+            fail(f"at {width} x {height} the certificates' numbers are at {badges} in {seen[0]}")
+    viewer.window.size(1400, 950)
+
+
 def check_figures_along(viewer):
     """The least strip and boxes along fixed directions touch the points that are named, are along a direction, hold all points that
     the structure is built from, and are the least of all directions, found here from the points."""
@@ -401,6 +461,9 @@ def main():
             check_sizes(viewer, page)
         check_queries(viewer)
         check_figures(viewer)
+        check_next(viewer)
+        check_sets(viewer)
+        check_leaders(viewer)
         check_figures_along(viewer)
         check_pictures(viewer, chromium, "square.html", [0, 5, 40, 90])
         (folder / "ships.csv").write_text(SHIPS)

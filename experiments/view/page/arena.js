@@ -325,21 +325,24 @@ class Arena {
       let [x, y] = [where[0] + d[0], where[1] + d[1]];
       const text = featureName(pair[z], feature) +
         (numbers.length > 0 ? " (" + numbers.sort().join(", ") + ")" : "");
-      const align = d[0] > 12 ? "left" : d[0] < -12 ? "right" : "center";
+      let align = d[0] > 12 ? "left" : d[0] < -12 ? "right" : "center";
       const room = context.measureText(text).width + 4;
-      const before = align === "left" ? 2 : align === "right" ? room : room / 2;
-      x = Math.max(left + before, Math.min(left + width - (room + 2 - before), x));
+      const before = how => (how === "left" ? 2 : how === "right" ? room : room / 2);
+      x = Math.max(left + before(align), Math.min(left + width - (room + 2 - before(align)), x));
       y = Math.max(top + 10, Math.min(top + height - 10, y));
-      // Up or down from there, where it covers least.
-      const boxAt = at => [x - before, at - 7, x - before + room, at + 7], step = d[1] > 0 ? 15 : -15;
+      // Up or down from there, or at the other side of its line, where it covers and crosses least.
+      const boxAt = (at, how) => [x - before(how), at - 7, x - before(how) + room, at + 7], step = d[1] > 0 ? 15 : -15;
+      const sides = narrow && align !== "center" ? [align, align === "left" ? "right" : "left"] : [align];
+      const tries = [0, 1, 2, 3, 4, 5, 6, -1, -2, -3, -4, -5, -6].map(i => y + i * step);
       let least = Infinity;
-      for (const at of [0, 1, 2, 3, 4, 5, 6, -1, -2, -3, -4, -5, -6].map(i => y + i * step)) {
-        const covered = this.places.covered(boxAt(at));
-        if (covered < least) [least, y] = [covered, at];
+      for (const [at, how] of tries.flatMap(at => sides.map(how => [at, how]))) {
+        const covered = this.places.covered(boxAt(at, how)) + (narrow ? this.places.crossed(where, [x, at]) : 0);
+        if (covered < least) [least, y, align] = [covered, at, how];
         if (covered === 0) break;
       }
-      this.places.take(boxAt(y));
+      this.places.take(boxAt(y, align));
       if (narrow) {
+        this.places.takeLine(where, [x, y]);
         trace(context, [where, [x, y]], false);
         context.strokeStyle = colour;
         context.lineWidth = 0.7;

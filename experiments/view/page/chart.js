@@ -1,3 +1,4 @@
+const ROOM = 46;  // pixels between what is shown of configuration space and the edge
 // Configuration space: in the frame of the first body the second one is a point, outside of the sum
 // M of the first and the negated second, or inside while they overlap. The certificates of a proof
 // are half-planes about it.
@@ -68,8 +69,9 @@ class Chart {
     const own = cells[app.shown()];
     const cell = clipped(square, own);
     this.setStretch(own, cell, all);
-    const box = joined(this.box(own, cell, all), this.failingBox(own, square));
-    frame.show(rectangle, box, 46);
+    let box = joined(this.box(own, cell, all), this.failingBox(own, square));
+    if (this.turnOf(pair) !== null) box = this.withRoomAbout(t, 84 - ROOM, box);
+    frame.show(rectangle, box, ROOM);
     const corners = frame.corners().map(p => this.stretched(p, 1 / this.stretch));
     const shownCell = sides => clipped(corners, sides).map(p => this.at(p));
     // M
@@ -144,6 +146,17 @@ class Chart {
     return sizeOf(about) < sizeOf(all) ? about : all;
   }
 
+  // With as many pixels about a point as the two normals of drawTurn need.
+  withRoomAbout([x, y], pixels, box) {
+    const [, , width, height] = this.frame.rectangle;
+    const scaleOf = b => Math.min((width - 2 * ROOM) / (b[1] - b[0]), (height - 2 * ROOM) / (b[3] - b[2]));
+    const grown = scale => {
+      const far = pixels / scale;
+      return scale > 0 && isFinite(scale) ? joined(box, [x - far, x + far, y - far, y + far]) : box;
+    };
+    return grown(scaleOf(grown(scaleOf(box))));  // more room makes all smaller, and so needs a little more
+  }
+
   // So that the side that fails next is in sight: its place that is nearest to the point.
   failingBox(own, square) {
     const side = own.find(other => other.fails);
@@ -201,13 +214,19 @@ class Chart {
     this.places.take([x - 16, y, x, y + 18]);
   }
 
-  // An order of normals that fails next: the two normals, which will be parallel then.
-  drawTurn(context, pair, pose) {
+  // The order of normals that fails next: its claim and its slot; null: none, or something else does.
+  turnOf(pair) {
     const { app } = this;
     const proofs = app.proofs[app.shown()], slot = proofs.failingSlot(pair, app.k);
-    if (slot < 0 || app.replay.lost) return;
+    if (slot < 0 || app.replay.lost) return null;
     const claim = proofs.claims(pair)[slot];
-    if (claim.form.figure !== "normals") return;
+    return claim.form.figure === "normals" ? { claim, slot } : null;
+  }
+  // Its two normals, which will be parallel then.
+  drawTurn(context, pair, pose) {
+    const turning = this.turnOf(pair);
+    if (turning === null) return;
+    const { claim, slot } = turning;
     const from = this.at(this.point);
     const ends = partsOf(claim).map(({ z, numbers }) => {
       const n = z === 0 ? numbers : turn(pose, numbers), size = Math.hypot(n[0], n[1]);

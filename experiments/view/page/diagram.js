@@ -79,7 +79,7 @@ class Diagram {
     const texts = [[keyName(this.key) + " \u2191", 28]];
     for (const value of ticks((middle - half) * scale, (middle + half) * scale, 5)) {
       const y = this.y(value / scale);
-      if (y < 40) continue;
+      if (y < 50) continue;  // its text would lie on the axis's name
       context.beginPath();
       context.moveTo(axis.left, y);
       context.lineTo(axis.right, y);
@@ -163,7 +163,7 @@ class Diagram {
 
   drawNow(context, axis, picture) {
     const { app } = this;
-    const x = axis.x(app.u);
+    const x = this.nowX = axis.x(app.u);
     context.strokeStyle = COLOUR.first;
     context.lineWidth = 1;
     context.beginPath();
@@ -223,19 +223,24 @@ class Diagram {
       if (ids.length < state.ids.length) {
         label(context, "ranks " + (first + 1) + "\u2013" + (first + ids.length), x, 27, COLOUR.quiet);
       }
-      const step = Math.min(22, (picture.height - 62) / Math.max(1, ids.length - 1));
-      const middle = (picture.height + 32) / 2;
+      const top = 44, bottom = picture.height - 14;
+      const step = Math.min(16, (bottom - top) / Math.max(1, ids.length - 1));
+      const places = placesInOrder(ids.map(id => heights.get(id)).reverse(), step, top, bottom).reverse();
       ids.forEach((id, rank) => {
-        const y = middle + (ids.length / 2 - rank - 0.5) * step;
+        const y = places[rank];
         const is = marked.includes(id);
         const start = heights.get(id);
-        if (start !== undefined) {
+        if (start !== undefined && start > 20 && start < picture.height) {
           context.strokeStyle = is ? COLOUR.failed : colour;
-          context.globalAlpha = is ? 1 : 0.4;
+          context.globalAlpha = is ? 1 : 0.5;
           context.lineWidth = is ? 1.6 : 0.8;
-          context.beginPath();
-          context.moveTo(from, Math.min(picture.height, Math.max(20, start)));
-          context.lineTo(x - 4, y);
+          if (is || ids.length <= 12) {  // straight from the point at now, so that it can be followed
+            context.setLineDash([1, 4]);
+            trace(context, [[this.nowX, start], [from, start]], false);
+            context.stroke();
+            context.setLineDash([]);
+          }
+          trace(context, [[from, start], [from + 8, start], [x - 12, y], [x - 4, y]], false);
           context.stroke();
           context.globalAlpha = 1;
         }
@@ -276,4 +281,27 @@ class Diagram {
     this.dy += dy;
     return true;
   }
+}
+
+// Places of labels from the top to the bottom in this order, at least `gap` apart, each as near to its wanted
+// place (undefined: it has none) as those around it allow; where the wanted places are in another order,
+// those concerned share the middle.
+function placesInOrder(wanted, gap, top, bottom) {
+  const blocks = [];  // [sum of shifted places, labels]
+  let last = (top + bottom) / 2;
+  const start = wanted.find(place => place !== undefined);
+  if (start !== undefined) last = start;
+  wanted.forEach((place, i) => {
+    if (place !== undefined) last = place;
+    blocks.push([Math.min(bottom, Math.max(top, last)) - i * gap, 1]);
+    const mean = ([sum, count]) => sum / count;
+    while (blocks.length > 1 && mean(blocks[blocks.length - 2]) > mean(blocks[blocks.length - 1])) {
+      const [sum, count] = blocks.pop(), before = blocks[blocks.length - 1];
+      before[0] += sum;
+      before[1] += count;
+    }
+  });
+  const shifted = blocks.flatMap(([sum, count]) => Array(count).fill(sum / count));
+  const most = bottom - (wanted.length - 1) * gap;
+  return shifted.map((place, i) => Math.min(most, Math.max(top, place)) + i * gap);
 }

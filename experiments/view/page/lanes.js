@@ -1,12 +1,13 @@
 // The time window of a scene of bodies: one lane for each structure, on one time axis, so that one
 // sees which proof changes often and which seldom. A second run hangs below the lines.
+const MARK = 9;  // pixels above the lanes, for the mark of now
 class Lanes extends TimeWindow {
   constructor(app) {
     super(app);
     const lanes = DATA.structures.length;
     const each = OTHER === null ? 52 : 74;
     this.picture.canvas.parentElement.style.height =
-      Math.max(96, 34 + Math.min(lanes * each, 260)) + "px";
+      Math.max(96, 34 + MARK + Math.min(lanes * each, 260)) + "px";
     this.counts = [FIRST, OTHER].map(run => (run === null ? null
       : DATA.structures.map((_, i) => countsOf(run, i))));
   }
@@ -16,7 +17,7 @@ class Lanes extends TimeWindow {
     const context = picture.begin();
     const axis = app.windowAxis(picture.width);
     this.axis = axis;
-    this.height = (picture.height - 26) / DATA.structures.length;
+    this.height = (picture.height - 26 - MARK) / DATA.structures.length;
     DATA.structures.forEach((_, index) => this.drawLane(context, axis, index));
     this.drawTicks(context, axis, picture.height - 10);
     this.drawNow(context, axis, 18, 4);
@@ -26,7 +27,7 @@ class Lanes extends TimeWindow {
 
   // The parts of a lane: the name, the bars of the first run, those of the second.
   parts(index) {
-    const top = index * this.height;
+    const top = MARK + index * this.height;
     const base = OTHER === null ? top + this.height - 5 : top + 16 + (this.height - 18) * 0.55;
     return { top, base, long: base - top - 19, depth: top + this.height - 4 - base };
   }
@@ -97,7 +98,7 @@ class Lanes extends TimeWindow {
   }
 
   laneAt(y) {
-    return Math.max(0, Math.min(DATA.structures.length - 1, Math.floor(y / this.height)));
+    return Math.max(0, Math.min(DATA.structures.length - 1, Math.floor((y - MARK) / this.height)));
   }
   // The event of the lane whose bar is nearest to x, or null if none is near.
   eventAt(x, y) {

@@ -255,7 +255,7 @@ class App {
     this.drawControls();
     this.drawLegend();
     if (!this.playing) {
-      const which = this.index === 0 ? "" : "&structure=" +
+      const which = this.index === firstAskedFor() ? "" : "&structure=" +
         encodeURIComponent(DATA.structures[this.index].label);
       history.replaceState(null, "", "#event=" + this.k + which + this.turnedText());
     }
@@ -281,9 +281,10 @@ class App {
     const legend = document.getElementById("legend");
     legend.replaceChildren();
     const entry = (colour, text) => {
-      const line = make("i");
+      const line = make("i"), one = make("span");  // a line and its text stay together
       line.style.color = COLOUR[colour];
-      legend.append(line, text);
+      one.append(line, text);
+      legend.append(one, " ");
     };
     entry(BODIES ? "s" + this.index % 6 : "first", structure.label + (OTHER === null ? "" : ", " + FIRST.arithmetic));
     if (OTHER !== null) entry("second", "otherwise in " + OTHER.arithmetic);
@@ -295,7 +296,7 @@ class App {
         entry("proof", this.mode === "plane" && !this.showsAll()
           ? proof.live.size + " certificates (C draws all)" : proof.live.size + " certificates");
       }
-      entry("next", "fails next");
+      entry("next", proof.next(this.k) === null ? "fails next: none of these" : "fails next");
       if (this.selected !== null) entry("selected", "selected");
     }
     if (!BODIES && this.k > BEFORE) {
@@ -307,6 +308,12 @@ class App {
     }
     this.picture.canvas.setAttribute("aria-label", structure.label + " after log record " + this.k);
   }
+}
+
+// The first structure that the scene asks for; those that it reads are parts of it, and are listed before it.
+function firstAskedFor() {
+  const isPart = label => DATA.structures.some(other => label.startsWith(other.label + "."));
+  return Math.max(0, DATA.structures.findIndex(structure => !isPart(structure.label)));
 }
 
 // What is displayed, for tests and scripts: the attribute of every structure after the event.

@@ -55,14 +55,19 @@ class Places {
   constructor(room) {
     this.room = room;
     this.taken = [];
+    this.lines = [];  // from labels to what they name
   }
   take(box) { this.taken.push(box); }
+  takeLine(from, to) { this.lines.push([from, to]); }
+  // The number of boxes that a line crosses.
+  crossed(from, to) { return this.taken.filter(box => passes(from, to, box)).length; }
   around(x, y, radius) { this.take([x - radius, y - radius, x + radius, y + radius]); }
   covered([left, top, right, bottom]) {
     const [a, b, c, d] = this.room;
     const outside = left < a || top < b || right > c || bottom > d ? 1000 : 0;
+    const box = [left, top, right, bottom];
     return this.taken.reduce((sum, [l, t, r, e]) => sum + (left < r && l < right && top < e && t < bottom ? 1 : 0),
-                             outside);
+                             outside + this.lines.filter(([from, to]) => passes(from, to, box)).length);
   }
   // A label about (x, y), or beside that place where it would cover something.
   labelIn(context, text, x, y, colour) {
@@ -92,6 +97,20 @@ class Places {
     this.take(best[2]);
     return true;
   }
+}
+// True if a segment has a part inside of a box.
+function passes([x0, y0], [x1, y1], [left, top, right, bottom]) {
+  let from = 0, to = 1;
+  for (const [a, b, low, high] of [[x0, x1, left, right], [y0, y1, top, bottom]]) {
+    if (a === b) {
+      if (a <= low || a >= high) return false;
+      continue;
+    }
+    const [f, g] = [(low - a) / (b - a), (high - a) / (b - a)];
+    from = Math.max(from, Math.min(f, g));
+    to = Math.min(to, Math.max(f, g));
+  }
+  return from < to;
 }
 // Round numbers between two ends, about `count` of them.
 function ticks(low, high, count) {

@@ -289,21 +289,28 @@ class Plane {
       context.fillStyle = COLOUR.fill;
       context.fill();
     }
-    if (replay.shape === "cycle" || (replay.shape === "sequence" && OBJECTS <= 300)) {
-      if (!replay.lost) outline(replay.ids, COLOUR.first, []);
-      if (both && other.ids.join() !== replay.ids.join()) outline(other.ids, COLOUR.second, [6, 4]);
-    }
-    if (replay.shape !== "object") return;
-    const ring = (ids, colour, radius) => {
+    const ring = (ids, colour, radius, width = 2.5) => {
       for (const id of ids) {
-        if (!alive[id]) continue;
+        if (!alive[id] || IS_LINE[id]) continue;
         context.strokeStyle = colour;
-        context.lineWidth = 2.5;
+        context.lineWidth = width;
         context.beginPath();
         context.arc(this.sx[id], this.sy[id], radius, 0, 2 * Math.PI);
         context.stroke();
       }
     };
+    // An order by a key is joined; the leaves of a tree, for example, are a set in a picture of the plane.
+    const isOrder = replay.shape === "sequence" && DATA.structures[this.app.shown()].key !== null;
+    if (replay.shape === "sequence" && !isOrder) {
+      const radius = OBJECTS > 300 ? 3.5 : 6;
+      if (!replay.lost) ring(replay.ids, COLOUR.first, radius, 1.2);
+      const own = new Set(replay.lost ? [] : replay.ids);
+      if (both) ring(other.ids.filter(id => !own.has(id)), COLOUR.second, radius + 3, 1.2);
+    } else if (replay.shape === "cycle" || (isOrder && OBJECTS <= 300)) {
+      if (!replay.lost) outline(replay.ids, COLOUR.first, []);
+      if (both && other.ids.join() !== replay.ids.join()) outline(other.ids, COLOUR.second, [6, 4]);
+    }
+    if (replay.shape !== "object") return;
     if (!replay.lost) ring(replay.ids, COLOUR.first, 9);
     if (both && other.ids[0] !== replay.ids[0]) ring(other.ids, COLOUR.second, 12);
   }
@@ -336,7 +343,9 @@ class Plane {
     }
     const next = proof.next(app.k);
     if (next !== null && this.isThere(next[0])) {
-      drawShapes(context, shapes(next[0]), COLOUR.next, { width: 1.8, dash: [7, 4] });
+      // On a patch of background: it may lie on an edge of the attribute.
+      drawShapes(context, shapes(next[0]).filter(shape => !shape.faint), COLOUR.back, { width: 5 });
+      drawShapes(context, shapes(next[0]), COLOUR.next, { width: 2.2, dash: [7, 4] });
     }
     const selected = app.selected;
     if (selected !== null && proof.live.has(selected) && this.isThere(selected)) {

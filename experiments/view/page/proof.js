@@ -148,15 +148,15 @@ class Proof {
     });
     return this.failureLists;
   }
-  // The event at which this certificate fails, or null: it goes before, or the page ends before.
-  failsAt(c) {
+  // The event after event k at which this certificate fails, or null: it goes before, or the page ends before.
+  failsAt(c, k = 0) {
     const [predicate, ids] = this.run.claims[this.data.certificates[c][3]];
     const list = this.failures.of.get(claimKey(predicate, ids)) || [];
-    const place = placeUntil(list, this.born[c]) + 1;
+    const place = placeUntil(list, Math.max(k, this.born[c])) + 1;
     return place < list.length && list[place] <= this.died[c] ? list[place] : null;
   }
-  // The live certificate that fails next, [certificate, event], or null. Several parts of the page
-  // ask after one event.
+  // The live certificate that fails next, [certificate, event]; null: none of them does, others come before.
+  // Several parts of the page ask after one event.
   next(k) {
     if (this.asked === undefined || this.asked.k !== k || this.asked.applied !== this.applied) {
       this.asked = { k, applied: this.applied, answer: this.findNext(k) };
@@ -164,15 +164,12 @@ class Proof {
     return this.asked.answer;
   }
   findNext(k) {
-    const { all } = this.failures;
-    const place = placeUntil(all, k) + 1;
-    if (place >= all.length) return null;
-    const key = claimKey(...this.run.certificates[at(this.run, all[place])]);
+    let next = null;
     for (const c of this.live) {
-      const [predicate, ids] = this.run.claims[this.data.certificates[c][3]];
-      if (claimKey(predicate, ids) === key) return [c, all[place]];
+      const event = this.failsAt(c, k);  // one failure may be several events
+      if (event !== null && (next === null || event < next[1])) next = [c, event];
     }
-    return null;
+    return next;
   }
   // When it fails, as far as the run knew: u, or Infinity.
   failureTime(c) {

@@ -254,7 +254,7 @@ function listenToPointers() {
 function fromHash() {
   const wanted = new URLSearchParams(location.hash.slice(1));
   const structure = DATA.structures.findIndex(s => s.label === wanted.get("structure"));
-  const index = structure >= 0 ? structure : app.mode ? app.index : 0;
+  const index = structure >= 0 ? structure : app.mode ? app.index : firstAskedFor();
   if (!app.mode || index !== app.index) {
     document.getElementById("structure").value = index;
     app.setStructure(index);
