@@ -194,7 +194,9 @@ def check_pictures(viewer, chromium, name, records):
     viewer.open(name)
     for k in records:
         svg = viewer.ask(f"(app.setEvent({k}), app.draw(), pictureAsSvg(760, 520))")
-        xml.etree.ElementTree.fromstring(svg)
+        title = xml.etree.ElementTree.fromstring(svg).findtext("{*}title")
+        if not title or (f"log record {k} " if k else "t = 0") not in title:
+            fail(f"{name}: the picture of record {k} is called {title!r}")
         picture, = look(chromium, [f"<div>{svg}</div>"])
         faults = list(faults_of(picture))
         texts = [text for text, _ in picture["texts"]]

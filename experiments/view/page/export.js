@@ -91,9 +91,10 @@ class SvgContext {
     this.patch = null;
     this.text(text, x, y, `fill="${this.state.fillStyle}"${patch}`);
   }
-  result() {
-    return `<svg xmlns="${SVG_NAME}" width="${this.width}" height="${this.height}" viewBox="0 0 ${this.width} ${this.height}" font-family="system-ui, Helvetica, Arial, sans-serif">` +
-      `<rect width="100%" height="100%" fill="${COLOUR.back}"/>${this.parts.join("\n")}</svg>\n`;
+  // The title is what a screen reader reads.
+  result(title) {
+    return `<svg xmlns="${SVG_NAME}" role="img" width="${this.width}" height="${this.height}" viewBox="0 0 ${this.width} ${this.height}" font-family="system-ui, Helvetica, Arial, sans-serif">` +
+      `<title>${SvgContext.escape(title)}</title><rect width="100%" height="100%" fill="${COLOUR.back}"/>${this.parts.join("\n")}</svg>\n`;
   }
 }
 
@@ -118,7 +119,7 @@ function pictureAsSvg(width = app.picture.width, height = app.picture.height) {
   const context = new SvgContext(width, height);
   app.seek();
   app.drawing.draw(new Sheet(context, width, height));
-  return context.result();
+  return context.result(DATA.scene.name + ": " + DATA.structures[app.shown()].label + ", " + captionOf(app.k));
 }
 // The drawing and a line below it, on a canvas of this size.
 function pictureAsCanvas(width, height, caption, ratio = 1) {

@@ -343,8 +343,8 @@ class Plane {
     }
     const next = proof.next(app.k);
     if (next !== null && this.isThere(next[0])) {
-      // On a patch of background: it may lie on an edge of the attribute.
-      drawShapes(context, shapes(next[0]).filter(shape => !shape.faint), COLOUR.back, { width: 5 });
+      // Segments on a patch of background: they may lie on edges of the attribute.
+      drawShapes(context, shapes(next[0]).filter(shape => shape.from && !shape.faint), COLOUR.back, { width: 5 });
       drawShapes(context, shapes(next[0]), COLOUR.next, { width: 2.2, dash: [7, 4] });
     }
     const selected = app.selected;
