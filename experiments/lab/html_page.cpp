@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/lab/html_page.h"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "experiments/lab/html_style.h"
@@ -14,14 +16,16 @@ void HtmlPage::add(HtmlSection section) {
   if (!section.html.empty()) sections_.push_back(std::move(section));
 }
 
-// Of many sections the first and the last ones; a line unfolds those between.
+// Of many sections the first and the last ones; a line, which says from where to where, unfolds those between.
 Html HtmlPage::contents() const {
   constexpr std::size_t kMost = 9, kFirst = 3, kLast = 2;
   const std::size_t count = sections_.size();
   Html links;
   for (std::size_t i = 0; i < count; ++i) {
     if (count > kMost && i == kFirst) {
-      links += html("<details><summary>{} more parts</summary>\n", count - kFirst - kLast);
+      links +=
+          html("<details><summary>{} more parts of this page, from \"{}\" to \"{}\"</summary>\n",
+               count - kFirst - kLast, sections_[i].title, sections_[count - kLast - 1].title);
     }
     if (count > kMost && i + kLast == count) links += Html::markup("</details>\n");
     links += html("<a href=\"#{}\">{}</a>\n", sections_[i].id, sections_[i].title);
@@ -49,8 +53,13 @@ std::string HtmlPage::text() const {
 }
 
 Html html_table(const std::vector<HtmlColumn>& columns, const std::vector<HtmlRow>& rows) {
+  std::vector<std::size_t> order(columns.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t i) { return columns[i].verdict; });
   std::string text = "<div class=\"wide\"><table class=\"data\"><thead><tr>";
-  for (const HtmlColumn& column : columns) {
+  for (const std::size_t i : order) {
+    const HtmlColumn& column = columns[i];
     text += column.number ? "<th scope=\"col\" class=\"r\">" : "<th scope=\"col\">";
     text += escape(column.title) + "</th>";
   }
@@ -60,8 +69,9 @@ Html html_table(const std::vector<HtmlColumn>& columns, const std::vector<HtmlRo
     if (!row.id.empty()) text += " id=\"" + row.id + "\"";
     if (row.first) text += " class=\"first\"";
     text += ">";
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      text += i < columns.size() && columns[i].number ? "<td class=\"r\">" : "<td>";
+    for (const std::size_t i : order) {
+      if (i >= row.cells.size()) continue;
+      text += columns[i].number ? "<td class=\"r\">" : "<td>";
       text += row.cells[i].text() + "</td>";
     }
     text += "</tr>\n";
@@ -74,7 +84,8 @@ Html html_table(const std::vector<HtmlColumn>& columns, const std::vector<HtmlRo
 std::vector<HtmlColumn> html_columns(std::span<const TextColumn> columns) {
   std::vector<HtmlColumn> result;
   for (const TextColumn& one : columns) {
-    result.push_back({one.page_title == nullptr ? one.title : one.page_title, one.number});
+    result.push_back(
+        {one.page_title == nullptr ? one.title : one.page_title, one.number, one.verdict});
   }
   return result;
 }
@@ -86,7 +97,8 @@ Html unfolding_button(std::string_view text, std::string_view title) {
 Html html_table(const Table& table) {
   std::vector<HtmlColumn> columns;
   for (std::size_t i = 0; i < table.header.size(); ++i) {
-    columns.push_back({table.header[i], i > 0 && has_numbers(table, i)});
+    columns.push_back(
+        {table.header[i], i > 0 && has_numbers(table, i), table.header[i] == table.verdict});
   }
   std::vector<HtmlRow> rows;
   std::string group;

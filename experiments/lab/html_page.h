@@ -37,7 +37,8 @@ class HtmlPage {
 // A table that is filtered and sorted on the page.
 struct HtmlColumn {
   std::string title;
-  bool number = false;  // aligned to the right, sorted as a number
+  bool number = false;   // aligned to the right, sorted as a number
+  bool verdict = false;  // stands before all others: a narrow window shows the first columns
 };
 struct HtmlRow {
   std::vector<Html> cells;

@@ -165,6 +165,7 @@ Table neighbours_table(const std::vector<FittedLaws>& fitted) {
   Table table;
   table.title = "Laws against their neighbours";
   table.header = {"family", "sizes", "law", "left by a + b law", "against the claimed law"};
+  table.verdict = table.header.back();
   table.note =
       "Each law has two numbers, a + b law, and a power a n^b; they are fitted to the same means. "
       "With standard errors a neighbour is beaten if it leaves 9 more of chi^2 (times what the better "

@@ -14,7 +14,8 @@ struct Table {
   std::string title;
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;  // each as long as the header
-  std::string note;                            // the meaning of the numbers
+  std::string note = {};                       // the meaning of the numbers
+  std::string verdict = "verdict";  // the column that is one, if there is one: first on pages
 };
 
 // True if all cells of the column are numbers, "-" or begin with "<".
@@ -31,6 +32,7 @@ struct TextColumn {
   int width;                         // there; below 0: aligned to the left; 0: the last column
   bool number = true;                // on the page: HtmlColumn::number
   const char* page_title = nullptr;  // on the page; nullptr: `title`
+  bool verdict = false;              // on the page: HtmlColumn::verdict
 };
 // One line; of the titles, or of cells.
 std::string text_header(std::span<const TextColumn> columns);

@@ -12,17 +12,18 @@ namespace kinex::trade {
 
 namespace {
 
-constexpr lab::TextColumn kRunColumns[] = {{"arithmetic", -10, false},
-                                           {"time/dbl", 8, true, "time / double"},
-                                           {"mem/dbl", 8, true, "memory / double"},
-                                           {"missed", 7},
-                                           {"invented", 8},
-                                           {"inverted", 8, true, "inversions"},
-                                           {"first difference", 19, false, "first difference: event, time"},
-                                           {"error/s", 8, true, "error, s"},
-                                           {"ulps", 8, true, "error, ulps"},
-                                           {"valid", 6, true, "valid states"},
-                                           {"outcome", 0, false}};
+constexpr lab::TextColumn kRunColumns[] = {
+    {"arithmetic", -10, false},
+    {"time/dbl", 8, true, "time / double"},
+    {"mem/dbl", 8, true, "memory / double"},
+    {"missed", 7},
+    {"invented", 8},
+    {"inverted", 8, true, "inversions"},
+    {"first difference", 19, false, "first difference: event, time"},
+    {"error/s", 8, true, "error, s"},
+    {"ulps", 8, true, "error, ulps"},
+    {"valid", 6, true, "valid states"},
+    {"outcome", 0, false, nullptr, true}};
 constexpr lab::TextColumn kBitsColumns[] = {{"bits needed", -18, false}, {"family", -26, false},
                                             {"n", 6},                    {"scenes", 6},
                                             {"instants", 10},            {"at most", 12},

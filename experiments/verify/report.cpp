@@ -23,12 +23,12 @@ Html checks_table(const lab::CellResult& cell) {
   Html rows;
   for (const lab::Check& check : cell.checks) {
     rows += html("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                 check.claim, check.quantity, check.expected, check.observed,
-                 lab::verdict_mark(check.verdict), check.source);
+                 lab::verdict_mark(check.verdict), check.claim, check.quantity, check.expected,
+                 check.observed, check.source);
   }
   return html(
-      "<table><thead><tr><th>claim</th><th>quantity</th><th>expected</th><th>observed</th>"
-      "<th>verdict</th><th>source</th></tr></thead><tbody>{}</tbody></table>",
+      "<table><thead><tr><th>verdict</th><th>claim</th><th>quantity</th><th>expected</th>"
+      "<th>observed</th><th>source</th></tr></thead><tbody>{}</tbody></table>",
       rows);
 }
 
@@ -109,8 +109,14 @@ Html fits_part(const VerifyResult& result) {
                      lab::verdict_mark(check.verdict), check.source}});
   }
   if (rows.empty()) return {};
-  return lab::html_table({{"structure"}, {"family"}, {"expected"}, {"fitted"}, {"sizes", true},
-                          {"chi^2 / degrees", true}, {"verdict"}, {"source"}},
+  return lab::html_table({{"structure"},
+                          {"family"},
+                          {"expected"},
+                          {"fitted"},
+                          {"sizes", true},
+                          {"chi^2 / degrees", true},
+                          {"verdict", false, true},
+                          {"source"}},
                          rows) +
          lab::note_part(
              "Intervals: 95 %, Student's t; widened where the points scatter more than their standard "
@@ -124,8 +130,8 @@ Html fits_part(const VerifyResult& result) {
 Html study_part(const lab::StudyResult& study) {
   Html text;
   for (const lab::Check& check : study.checks) {
-    text += html("{}: expected {}, observed {} ({}) {}<br>\n", check.claim, check.expected,
-                 check.observed, check.source, lab::verdict_mark(check.verdict));
+    text += html("{} {}: expected {}, observed {} ({})<br>\n", lab::verdict_mark(check.verdict),
+                 check.claim, check.expected, check.observed, check.source);
   }
   return html("<p class=\"facts\">{}</p>\n{}", text, lab::html_table(study.table));
 }

@@ -108,7 +108,7 @@ std::vector<lab::TextColumn> cell_columns(bool bounds) {
                          {"observed", -26, false},
                          {"checks", 6, false},
                          {"ex/dbl", 7, true, "exact/double"},
-                         {"verdict", 0, false}});
+                         {"verdict", 0, false, nullptr, true}});
   return all;
 }
 

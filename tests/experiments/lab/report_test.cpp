@@ -43,9 +43,24 @@ TEST(Table, AlignsNumbersInAllForms) {
   EXPECT_THAT(page, HasSubstr("<th scope=\"col\" class=\"r\">count</th>"));
   EXPECT_THAT(page, HasSubstr("<td class=\"r\">12</td><td>few</td>"));
   EXPECT_THAT(page, HasSubstr("<td>&lt;none&gt;</td>"));
+  EXPECT_THAT(page, HasSubstr("<tr class=\"first\"><td>a</td>"));
   const std::vector<lab::TextColumn> columns{{"name", -6, false}, {"count", 5}, {"remark", 0, false}};
   EXPECT_EQ(lab::text_header(columns), "name   count  remark\n");
   EXPECT_EQ(lab::text_row(columns, {"a", "12", "few"}), "a         12  few\n");
+}
+
+// A narrow window shows the first columns of a wide table.
+TEST(Table, VerdictsStandFirstOnPages) {
+  lab::Table table = small_table();
+  table.header[2] = "verdict";
+  const std::string page = lab::html_table(table).text();
+  EXPECT_THAT(page, HasSubstr("<tr><th scope=\"col\">verdict</th><th scope=\"col\">name</th>"));
+  EXPECT_THAT(page, HasSubstr("<td>few</td><td>a</td><td class=\"r\">12</td></tr>"));
+  EXPECT_THAT(lab::markdown_rows(table), HasSubstr("| name | count | verdict |"));
+  const std::vector<lab::TextColumn> columns{{"name", -6, false},
+                                             {"outcome", 0, false, nullptr, true}};
+  EXPECT_THAT(lab::html_table(lab::html_columns(columns), {{{"a", "good"}}}).text(),
+              HasSubstr("<td>good</td><td>a</td>"));
 }
 
 TEST(ReportPage, HasItsSectionsThatAreNotEmpty) {
