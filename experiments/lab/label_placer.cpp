@@ -2,6 +2,7 @@
 #include "experiments/lab/label_placer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace kinex::lab {
@@ -23,8 +24,16 @@ bool overlap(const LabelPlacer::Box& a, const LabelPlacer::Box& b) {
 
 }  // namespace
 
-void LabelPlacer::add_point(double x, double y, double radius) {
+void LabelPlacer::add_point(double x, double y, double radius, bool named) {
   add_obstacle({x - radius, y - radius, x + radius, y + radius});
+  if (named) named_.emplace_back(x, y);
+}
+
+bool LabelPlacer::misleads(const Label& label) const {
+  const double own = std::hypot(label.anchor_x - label.from_x, label.anchor_y - label.from_y);
+  return std::any_of(named_.begin(), named_.end(), [&](const auto& other) {
+    return std::hypot(label.anchor_x - other.first, label.anchor_y - other.second) < own - 0.5;
+  });
 }
 
 void LabelPlacer::add_obstacle(const Box& box) { points_.push_back(box); }
@@ -45,6 +54,15 @@ LabelPlacer::Label LabelPlacer::place(const std::string& text, double x, double 
   int fewest = std::numeric_limits<int>::max();
   Label best{};
   Box best_box{};
+  const auto attempt = [&](const Box& box, Label label) {
+    const bool misled = misleads(label);
+    const int count = covered(box) + (misled ? 1 : 0);
+    if (count >= fewest) return;
+    fewest = count;
+    best_box = box;
+    label.far = label.far || misled;
+    best = label;
+  };
   // Beside the point first, then in growing rings.
   for (int ring = 0; ring <= kRings && fewest > 0; ++ring) {
     for (const int sideways : {0, 1, 3, 6}) {
@@ -54,21 +72,18 @@ LabelPlacer::Label LabelPlacer::place(const std::string& text, double x, double 
           const double middle = y + kStep * vertical;
           const double left = right ? x + away : x - away - width;
           const Box box{left, middle - kHalfHeight, left + width, middle + kHalfHeight};
-          const int count = covered(box);
-          if (count >= fewest) continue;
-          fewest = count;
-          best_box = box;
           const bool far = std::max(kStep * ring, away - kNear) >= kFar;
-          best = {right ? box.left : box.right,
-                  middle,
-                  right ? "left" : "right",
-                  far,
-                  right ? box.left - 2 : box.right + 2,
-                  middle,
-                  x,
-                  y};
+          attempt(box, {right ? box.left : box.right, middle, right ? "left" : "right", far,
+                        right ? box.left - 2 : box.right + 2, middle, x, y});
         }
       }
+    }
+    for (const int vertical : {ring, -ring}) {  // above or below
+      if (ring < 2) continue;
+      const double middle = y + kStep * vertical,
+                   end = middle - (vertical > 0 ? 1 : -1) * kHalfHeight;
+      attempt({x - width / 2, middle - kHalfHeight, x + width / 2, middle + kHalfHeight},
+              {x, middle, "center", kStep * ring >= kFar, x, end, x, y});
     }
   }
   labels_.push_back(best_box);

@@ -120,7 +120,7 @@ class ScatterDrawing {
         placer.add_point(pixel_x(point.x), pixel_y(point.y), 3);
       }
       medians.emplace_back(median(std::move(x)), median(std::move(y)));
-      placer.add_point(pixel_x(medians.back().first), pixel_y(medians.back().second), 7);
+      placer.add_point(pixel_x(medians.back().first), pixel_y(medians.back().second), 7, true);
     }
     data_ = "$medians << EOD\n";
     for (std::size_t i = 0; i < groups_.size(); ++i) {

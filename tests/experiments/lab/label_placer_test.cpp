@@ -11,14 +11,18 @@
 namespace kinex {
 namespace label_placer_test {
 
+// The left side of a label of so many letters.
+double left_of(const lab::LabelPlacer::Label& label, double letters) {
+  const std::string align = label.align;
+  return label.x - (align == "left" ? 0 : align == "right" ? 1 : 0.5) * letters * 7.2;
+}
+
 TEST(LabelPlacer, CoversNothingWhereThereIsRoom) {
   lab::LabelPlacer placer({0, 0, 600, 400});
   std::vector<lab::LabelPlacer::Label> labels;
   for (int i = 0; i < 8; ++i) placer.add_point(300 + i, 200 + 2 * i, 5);
   for (int i = 0; i < 8; ++i) labels.push_back(placer.place("a label", 300 + i, 200 + 2 * i));
-  const auto left = [](const lab::LabelPlacer::Label& label) {
-    return label.align == std::string("left") ? label.x : label.x - 7 * 7.2;
-  };
+  const auto left = [](const lab::LabelPlacer::Label& label) { return left_of(label, 7); };
   for (std::size_t i = 0; i < labels.size(); ++i) {
     EXPECT_GE(left(labels[i]), 0);
     EXPECT_LE(left(labels[i]) + 7 * 7.2, 600);
@@ -42,7 +46,7 @@ TEST(LabelPlacer, CoversPointsRatherThanLabels) {
   std::vector<double> left, middle;
   for (int i = 0; i < 9; ++i) {
     const lab::LabelPlacer::Label label = placer.place("mpfr:100", 300, 250);
-    left.push_back(label.align == std::string("left") ? label.x : label.x - 8 * 7.2);
+    left.push_back(left_of(label, 8));
     middle.push_back(label.y);
   }
   for (std::size_t i = 0; i < left.size(); ++i) {
@@ -50,6 +54,18 @@ TEST(LabelPlacer, CoversPointsRatherThanLabels) {
       EXPECT_TRUE(std::fabs(middle[i] - middle[j]) >= 15 || std::fabs(left[i] - left[j]) >= 8 * 7.2)
           << i << " " << j;
     }
+  }
+}
+
+// The label of the left one of two points beside each other, at the edge: the right one would seem to have it.
+TEST(LabelPlacer, NoLabelIsAtAnotherPoint) {
+  lab::LabelPlacer placer({0, 0, 600, 400});
+  placer.add_point(40, 200, 7, true);
+  placer.add_point(56, 200, 7, true);
+  for (const double x : {40.0, 56.0}) {
+    const lab::LabelPlacer::Label label = placer.place("double 5/6", x, 200);
+    const double own = std::hypot(label.anchor_x - x, label.anchor_y - 200);
+    EXPECT_LE(own, std::hypot(label.anchor_x - (96 - x), label.anchor_y - 200) + 0.5) << x;
   }
 }
 
