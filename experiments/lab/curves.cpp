@@ -14,6 +14,8 @@ constexpr int kPlotHeight = 390;  // without the legend
 constexpr int kRowHeight = 20;
 constexpr double kCharacter = 7.6;  // pixels, of the widest font that stands in for Helvetica
 constexpr double kSample = 62;      // of a legend's entry, beside its text
+constexpr double kWidth = 1.5, kSymbol = 0.8;                // of a curve that covers none
+constexpr double kWidthInLegend = 6, kSymbolInLegend = 1.1;  // at most, there
 constexpr double kAboveData = 10;   // bounds beyond this multiple of the data leave the picture
 constexpr double kSame = 0.02;      // curves nearer than this share cover each other
 
@@ -33,6 +35,17 @@ std::size_t read_length(const std::string& text) {
     if (c != '{' && c != '}' && c != '^' && c != '_' && c != '\\' && (c & 0xC0) != 0x80) ++length;
   }
   return length;
+}
+
+// A marked-up text in plain letters: "n^1.51".
+std::string unmarked(const std::string& text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '{' || text[i] == '}') continue;
+    if (text[i] == '\\' || text.compare(i, 2, "''") == 0) ++i;  // the next letter itself
+    if (i < text.size()) plain += text[i];
+  }
+  return plain;
 }
 
 bool is_drawn(const CurvesPicture& picture, const FitPoint& point) {
@@ -79,6 +92,9 @@ class CurvesDrawing {
   }
 
   void draw(Figure& figure) {
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      if (!curves_[i].is_bound) most_covering_ = std::max(most_covering_, covering(i));
+    }
     for (std::size_t i = 0; i < curves_.size(); ++i) add_curve(i);
     for (const double slope : picture_.slopes) add_guide(slope);
     const LegendPlan legend = legend_below(entries_, figure.width);
@@ -95,6 +111,8 @@ class CurvesDrawing {
     if (plot_.empty()) plot_ = "plot NaN notitle";  // nothing but zeros
     if (!picture_.title.empty()) text += title_command(picture_.title);
     figure.script = text + data_ + plot_ + "\n";
+    figure.panel = picture_.title;
+    figure.names = names_;
     figure.height = kPlotHeight + kRowHeight * legend.rows;
   }
 
@@ -138,7 +156,9 @@ class CurvesDrawing {
     return text + fmt::format("set {}label {}\n", name, quoted(title));
   }
 
-  void add(const std::string& item, const std::string& entry) {
+  // `name`: where the legend has no entry for it.
+  void add(const std::string& item, const std::string& entry, const std::string& name = "") {
+    names_.push_back(entry.empty() ? name : unmarked(entry));
     plot_ += (plot_.empty() ? "plot " : ", \\\n  ") + item;
     if (entry.empty()) {
       plot_ += " notitle";
@@ -177,21 +197,36 @@ class CurvesDrawing {
           entry);
       return;
     }
-    std::size_t over = 0;  // later curves that would cover it
-    for (std::size_t j = i + 1; j < curves_.size(); ++j) {
-      over += !curves_[j].is_bound && runs_along(curve, curves_[j]) ? 1 : 0;
-    }
-    // A line is wider than those that cover it; bars alone need not be.
-    const double width = 1.5 + (curve.joined ? 4.5 : 0.7) * static_cast<double>(over);
-    const double size = 0.8 + 0.9 * static_cast<double>(over);
+    const std::size_t over = covering(i);
+    // A line is wider than those that cover it; bars alone need not be. The widest of many stays a line.
+    const double most = static_cast<double>(std::max<std::size_t>(most_covering_, 1));
+    const double width =
+        kWidth + (curve.joined ? std::min(4.5, 12 / most) : 0.7) * static_cast<double>(over);
+    const double size = kSymbol + std::min(0.9, 2.4 / most) * static_cast<double>(over);
     if (curve.line) add_line(curve, i, style);
     const char* with = curve.joined ? (bars ? "yerrorlines" : "linespoints")
                        : bars       ? "yerrorbars"
                                     : "points";
-    add(fmt::format("{} using {} with {} lw {:.2g} ps {:.2g} pt {} lc rgb '{}'", block,
-                    bars ? "1:2:3:4" : "1:2", with, width, size,
-                    over > 0 ? style.symbol - 1 : style.symbol, style.colour),
+    const auto styled = [&](const std::string& what, const char* how, double thick, double large) {
+      return fmt::format("{} with {} lw {:.2g} ps {:.2g} pt {} lc rgb '{}'", what, how, thick,
+                         large, over > 0 ? style.symbol - 1 : style.symbol, style.colour);
+    };
+    const std::string data = block + (bars ? " using 1:2:3:4" : " using 1:2");
+    if (size <= kSymbolInLegend) return add(styled(data, with, width, size), entry);
+    // A symbol of this size would lie over the lines of the legend above and below its own.
+    add(styled(data, with, width, size), "", unmarked(entry));
+    add(styled("NaN", curve.joined ? "linespoints" : "points", std::min(width, kWidthInLegend),
+               kSymbolInLegend),
         entry);
+  }
+
+  // The number of later curves that would cover the curve.
+  std::size_t covering(std::size_t i) const {
+    std::size_t over = 0;
+    for (std::size_t j = i + 1; j < curves_.size(); ++j) {
+      over += !curves_[j].is_bound && runs_along(curves_[i], curves_[j]) ? 1 : 0;
+    }
+    return over;
   }
 
   // The symbols without filling are those before: a wide line below shows around the narrow one.
@@ -204,7 +239,8 @@ class CurvesDrawing {
       data_ += fmt::format("{:.8g} {:.8g}\n", n, curve.line->at(n));
     }
     data_ += "EOD\n";
-    add(fmt::format("$line{} using 1:2 with lines lw 1.4 lc rgb '{}'", i, style.colour), "");
+    add(fmt::format("$line{} using 1:2 with lines lw 1.4 lc rgb '{}'", i, style.colour), "",
+        curve.name + ", fitted");
   }
 
   void add_bound(const Curve& curve, const std::string& block, const Look& style,
@@ -252,8 +288,9 @@ class CurvesDrawing {
   const std::vector<Curve>& curves_;
   Range x_, y_;
   std::string data_, plot_;
-  std::vector<std::string> entries_;
+  std::vector<std::string> entries_, names_;
   int guides_ = 0;
+  std::size_t most_covering_ = 0;  // of all curves
 };
 
 }  // namespace

@@ -61,7 +61,42 @@ std::string slim(std::string svg) {
   return svg;
 }
 
+std::string xml(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+  }
+  return result;
+}
+
+// The text of the first element of this name from a place on; returns the place behind that text.
+std::size_t set_element(std::string& svg, const std::string& name, const std::string& text,
+                        std::size_t from) {
+  const std::string begin = "<" + name + ">";
+  const std::size_t at = svg.find(begin, from), end = svg.find("</" + name + ">", at);
+  if (at == svg.npos || end == svg.npos) return from;
+  const std::string plain = xml(text);
+  svg.replace(at + begin.size(), end - at - begin.size(), plain);
+  return at + begin.size() + plain.size();
+}
+
+// What a screen reader reads: title, description, and the names of the curves (those of gnuplot have lost
+// their exponents).
+std::string with_words(std::string svg, const Figure& figure) {
+  if (svg.compare(svg.find("<svg"), 6, "<svg \n") == 0)
+    svg.insert(svg.find("<svg") + 5, "role=\"img\"");
+  std::size_t at = set_element(svg, "title", picture_title(figure), 0);
+  at = set_element(svg, "desc", figure.caption, at);
+  for (const std::string& name : figure.names) at = set_element(svg, "title", name, at);
+  return svg;
+}
+
 }  // namespace
+
+std::string picture_title(const Figure& figure) {
+  const bool alone = figure.panel.empty() || figure.panel == figure.title;
+  return alone ? figure.title : figure.title + ": " + figure.panel;
+}
 
 Drawings draw(const std::vector<Figure>& figures, const std::string& program,
               const std::function<bool()>& go_on) {
@@ -87,7 +122,8 @@ Drawings draw(const std::vector<Figure>& figures, const std::string& program,
       run_helper(program, {(folder.path() / "plots.gp").string()}, log, log, go_on);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const std::string svg = read(folder.path() / (std::to_string(i) + ".svg"));
-    if (svg.find("</svg>") != std::string::npos) drawings.svg[i] = with_known_fonts(slim(svg));
+    if (svg.find("</svg>") == std::string::npos) continue;
+    drawings.svg[i] = with_words(with_known_fonts(slim(svg)), figures[i]);
   }
   if (end.how == HelperEnd::How::kNotFound) {
     drawings.problem = program + " is not installed";

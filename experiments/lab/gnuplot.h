@@ -17,14 +17,20 @@ struct Figure {
   std::string script;
   int width = 640, height = 460;
   bool joins = false;  // in one frame with the figure before it, sharing its caption
+  std::string panel = {};  // of several in a frame: what this one shows
+  std::vector<std::string> names =
+      {};  // of what is plotted, in plain text, in that order; empty: gnuplot's own
 };
+
+// The title with that of the panel: what a picture is called where nothing is beside it.
+std::string picture_title(const Figure& figure);
 
 struct Drawings {
   std::vector<std::string> svg;  // by figure; empty if it could not be drawn
   std::string problem;           // the reason why some are missing; empty if none is
 };
 
-// Draws all figures as SVG in one run of `program`, in a fresh temporary folder that is removed.
+// Draws all figures as SVG, each with its title and its caption as a description, in one run of `program`, in a fresh temporary folder that is removed.
 // When `go_on` returns false, drawing ends; the rest is not drawn.
 Drawings draw(
     const std::vector<Figure>& figures, const std::string& program = "gnuplot",

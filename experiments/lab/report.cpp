@@ -42,8 +42,8 @@ Html plots_part(const std::vector<Figure>& figures, const Drawings& drawings) {
       i = j;
       if (drawings.svg[j].empty()) continue;
       ++pictures;
-      images += html("<img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">", first.title,
-                     base64(drawings.svg[j]));
+      images += html("<img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">",
+                     picture_title(figures[j]), base64(drawings.svg[j]));
     }
     if (pictures == 0) continue;
     const Html row = Html::markup(pictures > 1 ? " class=\"row\"" : "");

@@ -28,15 +28,19 @@ addEventListener("load", () => {
   const opened = [...document.querySelectorAll("tr.more")].filter(r => !r.hidden).map(r => r.innerText);
   const all = filter("");
   const heads = table.tHead.rows[0].cells;
-  heads[2].querySelector("button").click();
-  const up = column(2);
-  heads[2].querySelector("button").click();
-  const down = column(2);
+  const n = [...heads].findIndex(head => head.textContent === "n");
+  heads[n].querySelector("button").click();
+  const up = column(n);
+  heads[n].querySelector("button").click();
+  const down = column(n);
   document.getElementById("probe").textContent = JSON.stringify({
     top: document.body.innerText.slice(0, 200), opened, all, some: filter("uniform-square -2d 16"), up, down,
     commands: [...document.querySelectorAll("tr.more")].slice(0, 3).map(r => [r.textContent.match(/SHA-256 (\\w+)/)[1],
       r.querySelector("pre").textContent.split("\\n")[0]]),
     images: [...document.images].map(i => i.complete && i.naturalWidth > 100),
+    away: [...document.querySelectorAll("td .v")].filter(v => v.offsetParent !== null).map(v => v.closest("td").getBoundingClientRect())
+      .filter(b => b.left < 0 || b.right > innerWidth).length,
+    verdicts: document.querySelectorAll("td .v").length,
     width: document.documentElement.scrollWidth, window: innerWidth, back: getComputedStyle(document.body).backgroundColor,
     dead: [...document.querySelectorAll("nav a, td a, h2 a, h3 a")].map(a => a.getAttribute("href"))
       .filter(h => h.startsWith("#") && !document.getElementById(h.slice(1))),
@@ -79,6 +83,8 @@ def main():
                 fail(f"pictures {page['images']}, dead links {page['dead']}")
             if page["width"] > page["window"] or any(not r.startswith("data:") for r in page["resources"]):
                 fail(f"{page['width']} wide in {page['window']}, loads {page['resources']}")
+        if small["away"] or small["verdicts"] < small["all"]:
+            fail(f"in a window of {small['window']} pixels {small['away']} of {small['verdicts']} verdicts are out of sight")
         if small["back"] == seen["back"]:
             fail(f"the page is as light in the dark: {small['back']}")
         for digest, command in seen["commands"]:
@@ -93,6 +99,11 @@ def main():
         faults = [fault for picture in pictures for fault in faults_of(picture)]
         if faults:
             fail("; ".join(faults))
+        for svg in svgs:
+            title = re.search(r"<title>(.*?)</title>", svg)[1]
+            description = re.search(r"<desc>(.*?)</desc>", svg, re.S)[1]
+            if not title.startswith("sorted_list: ") or len(description) < 40 or "gnuplot" in svg[:600].lower().replace("gnuplot_canvas", ""):
+                fail(f"a picture is called {title!r}, described as {description!r}")
         for picture in pictures:  # each says by itself what it shows
             words = " ".join(text for text, _ in picture["texts"])
             if "sorted_list: " not in words or "uniform-square" not in words:

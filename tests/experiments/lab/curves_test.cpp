@@ -43,6 +43,23 @@ TEST(Curves, CurvesThatRunAlongOthersAreWiderBelow) {
   EXPECT_THAT(script, HasSubstr("$curve2 using 1:2 with linespoints lw 1.5 "));
 }
 
+// However many there are, they stay lines, and the legend's symbols stay in their rows.
+TEST(Curves, ManyAlongOneAnotherFitIntoTheLegend) {
+  std::vector<Curve> curves;
+  for (int i = 0; i < 6; ++i)
+    curves.push_back({"c" + std::to_string(i), {{1, 4, 0}, {10, 40, 0}}, ""});
+  const std::string script = script_of(kLogarithmic, curves);
+  const std::regex item("with linespoints lw ([0-9.]+) ps ([0-9.]+) [^,]*title '");
+  int titled = 0;
+  for (std::sregex_iterator it(script.begin(), script.end(), item), end; it != end;
+       ++it, ++titled) {
+    EXPECT_LE(std::stod((*it)[1]), 6);
+    EXPECT_LE(std::stod((*it)[2]), 1.1);
+  }
+  EXPECT_EQ(titled, 6);
+  EXPECT_THAT(script, HasSubstr("$curve0 using 1:2 with linespoints lw 14 "));
+}
+
 TEST(Curves, BarsWhereSeedsDiffer) {
   const Curve mean{"mean", {{1, 4, 1}, {10, 40, 3}}, ""};
   EXPECT_THAT(script_of(kLogarithmic, {mean}), HasSubstr("using 1:2:3:4 with yerrorlines"));
@@ -101,6 +118,28 @@ TEST(Curves, TicsAreWhereTheirLabelsSay) {
     EXPECT_NEAR(std::stod((*it)[1]), points[1] + (power - 2) * decade, 1.0) << power;
   }
   EXPECT_EQ(seen, 5u);
+}
+
+// A screen reader is told what the picture is, and exponents as they are.
+TEST(Curves, APictureSaysItsTitleDescriptionAndCurves) {
+  Figure figure;
+  figure.title = "sorted_list: events";
+  figure.caption = "Counts of a & b < c.";
+  Curve fitted{"a_b", {{1, 4, 0}, {10, 40, 0}, {100, 400, 0}}, "n^{1.000}"};
+  fitted.line = fit_power(fitted.points);
+  set_curves(figure, {"n", "events", true, true, {}, {}, "one panel"},
+             {fitted, {"c's", {{1, 9, 0}}, ""}});
+  const Drawings drawings = draw({figure});
+  ASSERT_EQ(drawings.problem, "");
+  const std::string& svg = drawings.svg.at(0);
+  EXPECT_THAT(svg, HasSubstr("<svg role=\"img\""));
+  EXPECT_THAT(svg, HasSubstr("<title>sorted_list: events: one panel</title>\n<desc>Counts of a "
+                             "&amp; b &lt; c.</desc>"));
+  EXPECT_THAT(svg, HasSubstr("<title>a_b, fitted</title>"));
+  EXPECT_THAT(svg, HasSubstr("<title>a_b: n^1.000</title>"));
+  EXPECT_THAT(svg, HasSubstr("<title>c's</title>"));
+  EXPECT_THAT(svg, Not(HasSubstr("nuplot</title>")));
+  EXPECT_THAT(svg, Not(HasSubstr("GNUPLOT")));
 }
 
 TEST(Curves, LegendsOfLongEntriesHaveOneColumn) {
