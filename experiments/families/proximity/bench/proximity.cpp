@@ -51,7 +51,11 @@ std::vector<Scenes> scenes_for(const StructureInfo& info) {
     return {{"random-boxes", 32, 0, 0}, {"random-boxes", 128, 0, 0}, {"fan-of-boxes", 12, 0, 0}};
   }
   if (info.extents == Extents::kRadius) {
-    return {{"random-discs", 32, 0, 0}, {"random-discs", 128, 0, 0}, {"fan-of-discs", 12, 0, 0}};
+    return {{"random-discs", 32, 0, 0},
+            {"random-discs", 128, 0, 0},
+            {"random-discs", 512, 0, 0},
+            {"random-discs", 2048, 0, 0},
+            {"fan-of-discs", 12, 0, 0}};
   }
   std::vector<Scenes> scenes;
   if (info.min_dimension <= 2) {
@@ -60,6 +64,10 @@ std::vector<Scenes> scenes_for(const StructureInfo& info) {
               {info.colours ? "colours-along-row" : "pass-along-row", 8, info.colours ? 0 : 8, 0},
               {"grid", 36, 0, 2},
               {"new-plans", 32, 32, 2}};
+    // Here the sizes above are too small to tell which structure to take for many points.
+    if (info.colours)
+      scenes.insert(scenes.begin() + 2,
+                    {{"uniform-square", 512, 0, 2}, {"uniform-square", 2048, 0, 2}});
   }
   if (info.any_dimension || info.min_dimension == 3) scenes.push_back({"uniform-square", 32, 0, 3});
   return scenes;
