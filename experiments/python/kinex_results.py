@@ -273,7 +273,7 @@ def runs(path):
         begin = file.read(16)
     if begin.startswith(b"SQLite format 3"):
         return _runs_of_database(path)
-    text = path.read_text(encoding="utf-8")
+    text = _text(path)
     try:
         if text.startswith('{"kinex-runs"') or path.suffix == ".jsonl":
             return _runs_of_lines(path, text)
@@ -301,6 +301,20 @@ def _opened(path):
         return open(path, "rb")
     except OSError as error:
         raise ResultsError(f"{path}: cannot be read: {error.strerror}; check the name") from error
+
+
+def _text(path):
+    """Of a file that should be text."""
+    with _opened(path) as file:
+        data = file.read()
+    for magic, what, remedy in ((b"SQLite format 3", "a SQLite database", "runs() and growth.py read databases"),
+                                (b"\x1f\x8b", "a compressed file (gzip)", "unpack it by gunzip")):
+        if data.startswith(magic):
+            raise ResultsError(f"{path}: it is {what}, not a text; {remedy}")
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise ResultsError(f"{path}: it is no text in UTF-8 (byte {error.start}); give a file that kinex has written") from error
 
 
 def _parameters(text):
@@ -416,8 +430,7 @@ def _runs_of_lines(path, text):
 
 def read_log(path):
     """An event log of kinex run --events, whole or cut off."""
-    with _opened(path) as file:
-        lines = file.read().decode("utf-8").splitlines()
+    lines = _text(path).splitlines()
     try:
         header = json.loads(lines[0])
         if header["format"] != "kinex-log" or header["version"] != 2:

@@ -4,7 +4,10 @@
 It follows the colour scheme of the page that shows it (light or dark).
 """
 import math
+import os
 from xml.sax.saxutils import escape
+
+from kinex_results import ResultsError
 
 WIDTH, HEIGHT = 640, 400
 LEFT, RIGHT, TOP, BOTTOM = 78, 18, 44, 62
@@ -118,8 +121,10 @@ class Figure:
             self._draw(out, i, *one)
         return "\n".join(out) + "\n</svg>\n"
 
-    def write(self, path, force=False):
-        """Refuses to replace a file unless `force`."""
+    def write(self, path, source, force=False):
+        """Refuses to replace `source`, the file that is drawn, and other files unless `force`."""
+        if os.path.exists(path) and os.path.samefile(path, source):
+            raise ResultsError(f"{path}: it is the input itself; give the figure another name")
         with open(path, "w" if force else "x", encoding="utf-8") as file:
             file.write(self.text())
 

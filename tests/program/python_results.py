@@ -85,6 +85,12 @@ def test_log_and_summary(folder):
     refused(lambda: kinex.read_log(folder / "scene.json"), "does not begin an event log")
     refused(lambda: kinex.runs(folder / "scene.json"), "it holds no runs")
     refused(lambda: kinex.runs(folder / "missing"), "cannot be read")
+    for name, data, message in (("base", b"SQLite format 3\0\xff", "it is a SQLite database, not a text; runs() and growth.py read databases"),
+                                ("run.log.gz", b"\x1f\x8b\x08\xff", "it is a compressed file (gzip), not a text; unpack it by gunzip"),
+                                ("bytes", b"{\xff", "it is no text in UTF-8 (byte 1); give a file that kinex has written")):
+        (folder / name).write_bytes(data)
+        refused(lambda: kinex.read_log(folder / name), f"{folder / name}: {message}")
+    refused(lambda: kinex.runs(folder / "bytes"), "it is no text in UTF-8")
     refused(lambda: kinex.counters(folder / "run.json", "flops"), "take one that they have:")
 
 
@@ -126,14 +132,29 @@ def test_examples(folder):
                            capture_output=True, text=True, check=False)
     assert again.returncode == 2, again
     assert again.stderr == "kinex: events.svg: File exists; add --force to replace it\n", again.stderr
+    # Nor is the input, under this name or another, whatever is said.
+    (folder / "link.log").symlink_to("square.log")
+    for words in (("events_in_time.py", "square.log"), ("close_instants.py", "near.log"), ("growth.py", "growth-example.sqlite", "external")):
+        name = words[1]
+        before = (folder / name).read_bytes()
+        for target in (name, f"../{folder.name}/{name}", *(["link.log"] if name == "square.log" else [])):
+            code, _, err = example(folder, *words, target, "--force")
+            assert code == 2 and f"{target}: it is the input itself; give the figure another name\n" in err, (words, err)
+        assert (folder / name).read_bytes() == before, name
+    code, _, err = example(folder, "close_instants.py", "growth-example.sqlite", "x.svg")
+    assert code == 2 and "growth-example.sqlite: it is a SQLite database" in err and "Traceback" not in err, err
     for run in kinex.runs(folder / "growth-example.sqlite"):
         assert run.arithmetic == "exact" and run.parameters["n"] == run.objects and run.seed in range(1, 6)
 
 
-def growth(folder, *words):
-    done = subprocess.run([sys.executable, PYTHON / "examples/growth.py", *map(str, words)], cwd=folder,
+def example(folder, script, *words):
+    done = subprocess.run([sys.executable, PYTHON / "examples" / script, *map(str, words)], cwd=folder,
                           capture_output=True, text=True, check=False)
     return done.returncode, done.stdout, done.stderr
+
+
+def growth(folder, *words):
+    return example(folder, "growth.py", *words)
 
 
 def test_growth_of_verify(folder):

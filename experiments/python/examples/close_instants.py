@@ -51,7 +51,7 @@ def main():
                     Axis("log2 of the gap"))
     figure.points("a gap", list(enumerate(gaps, 1)))
     figure.line("2^-54: distance of doubles just below t = 1/2", [(1, -54), (len(gaps), -54)], dashed=True)
-    figure.write(options.figure, options.force)
+    figure.write(options.figure, options.log, options.force)
 
 
 if __name__ == "__main__":

@@ -38,7 +38,7 @@ def main():
     for name, stair in stairs.items():
         if stair:
             figure.steps(f"{name}: {len(stair)}", stair)
-    figure.write(options.figure, options.force)
+    figure.write(options.figure, options.log, options.force)
 
 
 if __name__ == "__main__":

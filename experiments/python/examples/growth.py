@@ -138,7 +138,7 @@ def main():
         error = "" if fit.error is None else f" \u00b1 {fit.error:.3f} (95 %)"
         print(f"{name}: {len(series.points)} runs, {options.counter} ~ n^{fit.exponent:.3f}{error}")
         figure.line(f"{fit.factor:.3g} n^{fit.exponent:.3f}{error}", [(n, fit(n)) for n in series.sizes()], like=name)
-    figure.write(options.figure, options.force)
+    figure.write(options.figure, options.results, options.force)
 
 
 if __name__ == "__main__":
