@@ -57,10 +57,11 @@ class Checker {
                                                : verdict_.external_by_use.maintained);
     }
     line_ = record.line;
-    if (record.sequence != verdict_.records) {
+    if (record.sequence != due_) {
       complain("sequence number " + std::to_string(record.sequence) + " where " +
-               std::to_string(verdict_.records) + " is due");
+               std::to_string(due_) + " is due");
     }
+    due_ = record.sequence + 1;  // one complaint for a line that is missing
     const Structure* structure = check_names(record);
     if (structure != nullptr) {
       check_certificate(record, *structure);
@@ -406,6 +407,7 @@ class Checker {
   std::unordered_map<std::string, std::uint32_t> objects_;
   std::unordered_map<std::string, Structure> structures_;
   std::size_t line_ = 1;
+  std::uint64_t due_ = 1;  // sequence number
   std::optional<LogInstant> last_;
   std::optional<RealRoot> last_root_;
   bool time_is_well_ = false;

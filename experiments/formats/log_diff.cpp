@@ -257,6 +257,21 @@ std::pair<Labels, Labels> common_structures(const LogHeader& a, const LogHeader&
   return common;
 }
 
+// "delaunay_2, sorted_list by "x"": with key and parameters where `other` has the same structure.
+std::string described(const LogHeader& header, const LogHeader& other) {
+  std::string text;
+  for (const LogStructure& one : header.structures) {
+    text += (text.empty() ? "" : ", ") + one.structure;
+    const bool in_both =
+        std::any_of(other.structures.begin(), other.structures.end(),
+                    [&](const LogStructure& there) { return there.structure == one.structure; });
+    if (!in_both) continue;
+    if (!one.key.empty()) text += " by " + one.key;
+    if (!one.options.empty()) text += " with " + one.options;
+  }
+  return text;
+}
+
 // The records of two lines, as rows of one table; line 0: no record.
 void show_rows(std::string_view text_a, std::string_view text_b, LogDifference& result) {
   std::vector<LogRow> rows;
@@ -284,11 +299,12 @@ LogDifference diff_logs(std::string_view text_a, const std::string& file_a, std:
   const auto [labels_a, labels_b] =
       common_structures(reader_a.header(), reader_b.header(), result);
   if (labels_a.empty() && !(result.only_a.empty() && result.only_b.empty())) {
-    throw InputError(file_b, "line 1",
-                     "it has no structure in common with " + file_a + ": it maintains " +
-                         structures_of(reader_b.header()) + ", the other " +
-                         structures_of(reader_a.header()),
-                     "compare runs with a structure in common, by the same key and with the same parameters");
+    throw InputError(
+        file_b, "line 1",
+        "it has no structure in common with " + file_a + ": it maintains " +
+            described(reader_b.header(), reader_a.header()) + ", the other " +
+            described(reader_a.header(), reader_b.header()),
+        "compare runs with a structure in common, by the same key and with the same parameters");
   }
   Names names;
   Kinds kinds;
@@ -296,6 +312,8 @@ LogDifference diff_logs(std::string_view text_a, const std::string& file_a, std:
   const Log b = read_log(reader_b, labels_b, names, kinds);
   Instants instants(a, b);
 
+  result.ending_a = ending_of(reader_a);
+  result.ending_b = ending_of(reader_b);
   result.events_a = a.events.size();
   result.events_b = b.events.size();
   result.instants = instants.compared();

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/formats/log_ending.h"
+
 namespace kinex::formats {
 
 // How the instants of two events were compared.
@@ -56,6 +58,7 @@ struct LogDifference {
   std::vector<OtherLabel> other_labels;
   std::vector<KindDifference> kinds;  // by structure and kind
   bool other_scenes = false;                // the scene hashes differ
+  LogEnding ending_a, ending_b;
 
   bool equal() const { return first == 0 && other_records == 0; }
 };

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/numbers/time_text.h"
 #include "experiments/formats/counted.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/json_writer.h"
@@ -62,6 +63,10 @@ std::string_view instants_text(formats::InstantsCompared compared) {
   return "";
 }
 
+std::string end_text(const formats::LogEnding& ending) {
+  return ending.reached ? "at t = " + time_text(*ending.reached) : "when no event is left";
+}
+
 std::string plain_text(const formats::LogDifference& difference, const DiffOptions& options) {
   std::string text;
   if (difference.other_scenes) text += "the logs are of different scenes\n";
@@ -72,6 +77,13 @@ std::string plain_text(const formats::LogDifference& difference, const DiffOptio
   for (const formats::OtherLabel& one : difference.other_labels) {
     text += one.label_a + " of " + options.a + " is compared with " + one.label_b + " of " +
             options.b + "\n";
+  }
+  const formats::LogEnding &a = difference.ending_a, &b = difference.ending_b;
+  for (const auto& [file, ending] : {std::pair(options.a, a), {options.b, b}}) {
+    if (!ending.whole()) text += file + " " + formats::ending_text(ending) + "\n";
+  }
+  if (a.whole() && b.whole() && a.reached != b.reached) {
+    text += options.a + " ends " + end_text(a) + ", " + options.b + " " + end_text(b) + "\n";
   }
   const std::string how = "; " + std::string(instants_text(difference.instants)) + "\n";
   if (difference.equal()) {
@@ -124,6 +136,13 @@ std::string json_text(const formats::LogDifference& difference) {
   write_labels(json, difference.only_a);
   write_labels(json, difference.only_b);
   json.end_array();
+  const formats::LogEnding &a = difference.ending_a, &b = difference.ending_b;
+  json.key("status").begin_array().string(a.status).string(b.status).end_array();
+  json.key("reached").begin_array();
+  for (const formats::LogEnding* ending : {&a, &b}) {
+    ending->reached ? json.quoted(*ending->reached) : json.null();
+  }
+  json.end_array();
   json.key("events").begin_array().number(difference.events_a).number(difference.events_b);
   json.end_array().key("first").number(difference.first);
   json.key("missing").number(difference.missing).key("invented").number(difference.invented);
@@ -164,10 +183,15 @@ void add_diff_verb(CLI::App& app, int& exit_code) {
   add_voice(*verb, "Print nothing: the exit code tells whether they differ",
             "Count the differences of every kind of record, on standard error");
   verb->footer(
-      "Exit code 0: equal, 1: different. Compared and counted are the log records of events, external\n"
-      "and internal, of the structures that both logs have, whatever their labels; not those of changes\n"
-      "of the scene (motion, insert, erase) and of rebuilds that change nothing. Instants are compared\n"
-      "between two exact logs only, as numbers.\n"
+      "Exit code 0: equal, 1: different. Compared and counted are the log records of events, "
+      "external\n"
+      "and internal, of the structures that both logs have, whatever their labels; not those of "
+      "changes\n"
+      "of the scene (motion, insert, erase) and of rebuilds that change nothing. Instants are "
+      "compared\n"
+      "between two exact logs only, as numbers. A log that was cut off, or stopped at a limit, is "
+      "compared\n"
+      "as far as it goes, and named; \"status\" and \"reached\" of --json say how both logs end.\n"
       "Example:\n  kinex diff exact.log double.log");
   verb->callback([options, verb, &exit_code] { diff(*options, voice_of(*verb), exit_code); });
 }

@@ -7,6 +7,7 @@
 
 #include "experiments/formats/counted.h"
 #include "experiments/formats/file_io.h"
+#include "experiments/formats/log_ending.h"
 #include "experiments/formats/log_scene.h"
 #include "experiments/formats/log_table.h"
 #include "experiments/verbs/option_values.h"
@@ -46,12 +47,8 @@ void show_log(const LogOptions& options, const Voice& voice) {
     voice.note(std::to_string(table.shown) + " of " +
                formats::counted(table.records, "log record", "log records"));
   }
-  if (!table.complete) {
-    voice.note(options.file +
-               ": the log has no last line: its run was cut off, and what is shown is all that was "
-               "written; for a "
-               "whole log run the scene again (kinex run SCENE --events FILE)");
-  }
+  const std::string note = formats::ending_note(formats::ending_of(reader), options.file);
+  if (!note.empty()) voice.note(note);
 }
 
 }  // namespace

@@ -166,9 +166,10 @@ void check(const ViewOptions& options) {
   }
 }
 
-// The disagreement of a log with its scene; empty if there is none.
+// The disagreement of a log with its scene; empty if there is none. `note`: that the log is not whole.
 std::string record(const Viewed& viewed, const Wanted& wanted, const ViewOptions& options,
-                   const InterruptGuard& interrupt, const Voice& voice, view::RecordedRun& run) {
+                   const InterruptGuard& interrupt, const Voice& voice, view::RecordedRun& run,
+                   std::string& note) {
   view::RecordOptions how;
   how.arithmetic = wanted.arithmetic;
   how.from = viewed.from;
@@ -193,6 +194,7 @@ std::string record(const Viewed& viewed, const Wanted& wanted, const ViewOptions
   }
   if (!follower) return "";
   if (run.complete) follower->finish();
+  if (const auto ending = follower->ending()) note = formats::ending_note(*ending, wanted.file);
   return follower->problem();
 }
 
@@ -216,8 +218,12 @@ std::string report(const Viewed& viewed, const std::vector<view::RecordedRun>& r
   for (const view::RecordedRun& run : runs) text += line_of(run);
   if (runs.size() > 1) {
     const std::uint64_t parted = view::first_divergence(runs[0], runs[1]);
-    text += parted == 0 ? "compared  the same log records\n"
-                        : "compared  the runs part at log record " + std::to_string(parted) + "\n";
+    const bool whole = runs[0].complete && runs[1].complete;
+    text += "compared  " +
+            (parted != 0 ? "the runs part at log record " + std::to_string(parted)
+             : whole     ? "the same log records"
+                         : "the same log records, as far as both go") +
+            "\n";
   }
   return text + "page      " + file + ", " + std::to_string((bytes + 1023) / 1024) + " kB\n";
 }
@@ -236,7 +242,10 @@ void view(const ViewOptions& options, const Voice& voice, int& exit_code) {
   if (options.output != "-") output.emplace(options.output, options.force);
   std::vector<view::RecordedRun> runs;
   for (const Wanted& wanted : viewed.runs) {
-    const std::string problem = record(viewed, wanted, options, interrupt, voice, runs.emplace_back());
+    std::string note;
+    const std::string problem =
+        record(viewed, wanted, options, interrupt, voice, runs.emplace_back(), note);
+    if (!note.empty()) voice.note(note);
     voice.detail(runs.back().arithmetic + ": " +
                  formats::counted(runs.back().events.size(), "log record", "log records") + ", " +
                  formats::counted(runs.back().claims.size(), "certificate", "certificates") +

@@ -30,8 +30,13 @@ LogFollower::LogFollower(std::string_view text, const std::string& file, const S
       "lay runs with the same structures over each other");
 }
 
+bool LogFollower::next() {
+  has_ended_ = has_ended_ || !reader_.next(next_);
+  return !has_ended_;
+}
+
 bool LogFollower::follow(const SeenEvent& event) {
-  if (!reader_.next(next_)) return false;
+  if (!next()) return false;
   const char* part = nullptr;
   if (next_.structure != event.structure) part = "structure";
   if (next_.kind != event.kind) part = "kind";
@@ -55,7 +60,7 @@ bool LogFollower::follow(const SeenEvent& event) {
 }
 
 void LogFollower::finish() {
-  if (!problem_.empty() || !reader_.next(next_)) return;
+  if (!problem_.empty() || !next()) return;
   problem_ = reader_.file() + ": line " + std::to_string(next_.line) +
              ": the run of the scene has no such record";
 }

@@ -4,10 +4,12 @@
 #ifndef KINEX_EXPERIMENTS_VIEW_LOG_FOLLOWER_H
 #define KINEX_EXPERIMENTS_VIEW_LOG_FOLLOWER_H
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/motion/scene.h"
+#include "experiments/formats/log_ending.h"
 #include "experiments/formats/log_scene.h"
 #include "experiments/view/recorder.h"
 
@@ -28,11 +30,19 @@ class LogFollower {
   // Call at the end of the run: records left in the log become a problem().
   void finish();
   const std::string& problem() const { return problem_; }
+  // How the log ends; nullopt: it has records that were not looked at.
+  std::optional<formats::LogEnding> ending() const {
+    if (!has_ended_) return std::nullopt;
+    return formats::ending_of(reader_);
+  }
 
  private:
+  bool next();
+
   formats::LogReader reader_;
   formats::LogRecord next_;
   std::string problem_;
+  bool has_ended_ = false;
 };
 
 }  // namespace kinex::view
