@@ -26,6 +26,30 @@ InputError cannot_read(const std::string& path, const std::string& why, const ch
   return InputError(path, "", "cannot be read: " + why, remedy);
 }
 
+// Files that are taken for texts by their names.
+void refuse_binary(std::string_view text, const std::string& path) {
+  static constexpr const char* kUnpack = "unpack it, and give the file that was packed";
+  struct Form {
+    std::string_view begin, what;
+    const char* remedy;
+  };
+  static constexpr Form kForms[] = {
+      {"SQLite format 3", "a SQLite database, not a text",
+       "sqlite3 and experiments/python/kinex_results.py read what is in it"},
+      {"\x1f\x8b", "compressed by gzip", kUnpack},
+      {"\xfd"
+       "7zXZ",
+       "compressed by xz", kUnpack},
+      {"\x28\xb5\x2f\xfd", "compressed by zstd", kUnpack},
+      {"BZh", "compressed by bzip2", kUnpack},
+      {"PK\x03\x04", "a zip archive", kUnpack}};
+  for (const Form& form : kForms) {
+    if (text.starts_with(form.begin)) {
+      throw InputError(path, "", "it is " + std::string(form.what), form.remedy);
+    }
+  }
+}
+
 void refuse_existing(const std::string& path) {
   throw InputError(path, "", "exists already", "give another name, or --force to replace it");
 }
@@ -109,6 +133,7 @@ std::string read_text_file(const std::string& path) {
     }
   }
   if (std::ferror(file)) throw cannot_read(path, std::strerror(errno), "");
+  refuse_binary(text, path);
   return text;
 }
 
