@@ -13,6 +13,7 @@
 #include "core/motion/scene.h"
 #include "experiments/formats/csv_polygons.h"
 #include "experiments/formats/csv_table.h"
+#include "experiments/formats/scene_words.h"
 #include "experiments/formats/time_scale.h"
 
 namespace kinex::formats {
@@ -41,7 +42,7 @@ struct ImportOptions {
 };
 
 struct ImportReport {
-  Scene scene;  // without "maintain"
+  Scene scene;  // "maintain" and the name only if the file says so
   std::size_t rows = 0;
   std::size_t single_fixes = 0;    // traces of one fix: they have no duration, and are left out
   std::size_t repeated_fixes = 0;  // identical rows of one id and time: read once
@@ -49,7 +50,8 @@ struct ImportReport {
   std::string time_zero;              // of dates: the date at which t = 0; otherwise empty
   std::vector<std::string> notes;     // what the user should know
   std::vector<std::string> details;   // what was read as what
-  std::vector<std::string> maintain;  // as set_maintain() takes it, if the file says so
+  bool maintains = false, is_named = false;  // the file says so
+  SceneWords words;                          // likewise
 };
 
 // The first line names the columns, in any order; the coordinates are a prefix of x, y, z. Numbers

@@ -32,7 +32,8 @@ std::string ending_note(const LogEnding& ending, const std::string& file) {
   if (ending.whole()) return "";
   if (ending.status == "cut off") {
     return file +
-           ": the log has no last line, its run was cut off; kinex check tells what it holds";
+           ": the log has no last line: its run was cut off, and what is shown is all that was "
+           "written; for a whole log run the scene again (kinex run SCENE --events FILE)";
   }
   return file + ": the log " + ending_text(ending) + "; run the scene " +
          (ending.status == "limit" ? "with a larger limit" : "again") + " for the rest";

@@ -8,8 +8,11 @@
 #include "experiments/formats/counted.h"
 #include "experiments/formats/csv_fields.h"
 #include "experiments/formats/feature_geometry.h"
+#include "experiments/formats/feature_members.h"
+#include "experiments/formats/iso_time.h"
 #include "experiments/formats/json_defect.h"
 #include "experiments/formats/json_document.h"
+#include "experiments/formats/scene_parts.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/weights.h"
 
@@ -23,11 +26,20 @@ using Kind = JsonValue::Kind;
 struct Track {
   std::string id;
   std::size_t line = 0;
+  std::string place;  // JSON path
   FeatureGeometry geometry;
   bool of_fixes = false;
   std::vector<std::string> places;  // of the fixes, JSON paths
-  std::optional<Rational> weight;
+  FeatureMembers members;
 };
+
+// A moving geometry that stands alone.
+bool is_geometry(std::string_view type) {
+  return type == "MovingPoint" || type == "MovingGeomPoint" || type == "MovingPolygon" ||
+         type == "MovingGeometryCollection";
+}
+
+constexpr const char* kOnlyId = "1";  // of such a geometry without one
 
 class Reader {
  public:
@@ -62,9 +74,11 @@ class Reader {
       for (std::size_t i = 0; i < features.size(); ++i) read_feature(features.at(i), crs);
     } else if (type == "Feature" || type == "MovingFeature") {
       read_feature(root, std::nullopt);
+    } else if (is_geometry(type)) {
+      read_geometry(root);
     } else {
       root.member("type").refuse("a kind of file that can be read",
-                                 "write Feature or FeatureCollection");
+                                 "write Feature, FeatureCollection or MovingPoint");
     }
     if (tracks_.empty()) root.fail("there are no features", "write one for each object");
     const std::optional<JsonNode> own = root.find("kinex");
@@ -120,14 +134,20 @@ class Reader {
     check_csv_id(id, file_, feature.path());
     const auto [at, is_new] = numbers_.emplace(id, tracks_.size());
     if (is_new) {
-      tracks_.push_back({id, line_of(feature), {}, of_fixes, {}, {}});
+      tracks_.push_back({id, line_of(feature), feature.path(), {}, of_fixes, {}, {}});
     } else if (!of_fixes || !tracks_[at->second].of_fixes) {
-      feature.fail("the id " + show_text(id) + " is that of line " +
-                       std::to_string(tracks_[at->second].line) + " too",
+      feature.fail("the id " + show_text(id) + " is that of " + tracks_[at->second].place + " too",
                    "give one of them another id; several prisms of one object are a "
                    "MovingGeometryCollection");
     }
     return tracks_[at->second];
+  }
+
+  void read_geometry(const JsonNode& node) {
+    const auto id = property_for("id") == nullptr ? node.find("id") : std::nullopt;
+    ++report_.rows;
+    FeatureGeometry geometry = read_temporal_geometry(node, std::nullopt, reading_);
+    track(id ? word(*id) : kOnlyId, node, false).geometry = std::move(geometry);
   }
 
   void read_feature(const JsonNode& feature, const std::optional<JsonNode>& outer) {
@@ -144,7 +164,8 @@ class Reader {
       FeatureGeometry geometry = read_temporal_geometry(*moving, crs, reading_);
       Track& one = track(id, feature, false);
       one.geometry = std::move(geometry);
-      read_weight(properties, one);
+      const auto members = properties ? properties->find("kinex") : std::nullopt;
+      if (members) one.members = read_members(*members, file_);
       return;
     }
     const JsonNode geometry = feature.member("geometry");
@@ -183,13 +204,6 @@ class Reader {
     if (one.geometry.runs.empty()) one.geometry.runs.emplace_back();
     one.geometry.runs.front().fixes.push_back(std::move(fix));
     one.places.push_back(feature.path());
-  }
-
-  // {"kinex": {"weight": ..}} in the properties.
-  static void read_weight(const std::optional<JsonNode>& properties, Track& track) {
-    const auto own = properties ? properties->find("kinex") : std::nullopt;
-    if (!own || !own->is(Kind::kObject)) return;
-    if (const auto weight = own->find("weight")) track.weight = weight->rational();
   }
 
   // Fixes of several features: in order of time, each once.
@@ -249,6 +263,7 @@ class Reader {
     });
     const bool body = polygons || options_.common.polygons;
     bool assumed = false, weighted = false;
+    std::vector<const FeatureMembers*> members;  // of the scene's objects
     std::optional<Rational> first, last;
     std::unordered_map<std::string, std::size_t> lines;
     PolygonTable table{file_, {}, {}};
@@ -265,26 +280,43 @@ class Reader {
         continue;
       }
       lines.emplace(track.id, track.line);
+      restore_frame(track.members, track.geometry.polygon, motion);
       if (!track.geometry.polygon.empty()) {
         table.number.emplace(track.id, table.entries.size());
         table.entries.push_back({track.id, track.line, track.geometry.polygon});
       }
-      if (track.weight && !body) {
-        append_weight(motion, {*track.weight});
+      if (track.members.weight && !body) {
+        append_weight(motion, {*track.members.weight});
         weighted = true;
       }
       scene.objects.push_back({track.id, std::move(motion)});
+      if (!body) scene.objects.back().colour = track.members.colour;
+      if (!body) scene.objects.back().ends = track.members.ends;
+      members.push_back(&track.members);
     }
     if (scene.objects.empty())
       throw InputError(file_, "", "no object has two times", "write at least two of one id");
     set_time(own, *first, *last);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      restore_object(*members[i], scene.objects[i].motion);
+    }
     for (const std::string& row : options_.common.fixed) add_fixed(scene, row, body);
     if (weighted) complete_weights(scene);
     if (assumed) report_.notes.push_back("no interpolation is named, Linear is assumed");
     if (const std::string plane = options_.plane.text(); !plane.empty())
       report_.notes.push_back(plane);
     restore(own);
+    check_edges();
     if (body) make_bodies(scene, polygons ? table : *options_.common.polygons, {file_, lines});
+    if (options_.maintain) restore_maintain(own);
+  }
+
+  void restore_object(const FeatureMembers& members, Motion& motion) const {
+    const Scene& scene = report_.scene;
+    if (!options_.common.start_time && !options_.common.end_time) {
+      restore_pieces(members, scene.start, *scene.end, shift_, motion);
+    }
+    restore_rotors(members, motion);
   }
 
   static std::optional<JsonNode> member(const std::optional<JsonNode>& own, const char* name) {
@@ -297,6 +329,10 @@ class Reader {
     const std::optional<JsonNode> stored = member(own, "time_zero");
     if (!zero && stored) zero = {file_ + ": /kinex/time_zero", std::string(stored->string())};
     const Rational result = scale_.settle(zero);
+    std::string problem;
+    if (const auto date = stored ? parse_iso_time(stored->string(), problem) : std::nullopt) {
+      shift_ = date->seconds - result;
+    }
     report_.time_zero = scale_.zero_text();
     return result;
   }
@@ -306,29 +342,27 @@ class Reader {
     const ImportOptions& common = options_.common;
     const std::optional<JsonNode> start = member(own, "start"), end = member(own, "end");
     scene.start = common.start_time ? scale_.read(*common.start_time)
-                  : start           ? start->rational()
+                  : start           ? start->rational() + shift_
                                     : first;
-    scene.end = common.end_time ? scale_.read(*common.end_time) : end ? end->rational() : last;
+    scene.end = common.end_time ? scale_.read(*common.end_time)
+                : end           ? end->rational() + shift_
+                                : last;
     check_time(scene, file_);
     // What is there for the whole time has no ends of its own.
-    for (SceneObject& object : scene.objects) {
-      MotionPiece& begin = object.motion.pieces.front();
-      MotionPiece& until = object.motion.pieces.back();
-      if (begin.from == scene.start && until.to == scene.end) {
-        begin.from.reset();
-        until.to.reset();
-      }
-    }
+    for (SceneObject& object : scene.objects) open_ends(object.motion, scene.start, *scene.end);
   }
 
   // What kinex has written beside the standard's members.
   void restore(const std::optional<JsonNode>& own) {
     Scene& scene = report_.scene;
-    if (const auto name = member(own, "scene")) scene.name = name->string();
-    if (const auto entries = member(own, "maintain")) {
-      entries->require_array();
-      for (std::size_t i = 0; i < entries->size(); ++i)
-        report_.maintain.emplace_back(entries->at(i).string());
+    if (const auto name = member(own, "scene")) {
+      scene.name = name->string();
+      report_.is_named = true;
+    }
+    if (own && own->is(Kind::kObject)) report_.words = read_words(*own);
+    if (const auto jumps = member(own, "jumps")) scene.jumps = scene.jumps || jumps->boolean();
+    if (const auto starts = member(own, "overlapping_starts")) {
+      read_overlapping_starts(*starts, scene);
     }
     const auto dimension = member(own, "dimension");
     if (!dimension || dimension->integer(1, kMaxDimension) != 1 || scene.dimension != 2) return;
@@ -338,16 +372,43 @@ class Reader {
           dimension->fail("one axis, but there are places with y other than 0",
                           "remove it, or write 2");
         }
-        piece.trajectory.coordinates.pop_back();
+        piece.trajectory.coordinates.erase(piece.trajectory.coordinates.begin() + 1);
       }
     }
     scene.dimension = 1;
+  }
+
+  // When the objects are as they will be.
+  void restore_maintain(const std::optional<JsonNode>& own) {
+    Scene& scene = report_.scene;
+    const auto entries = member(own, "maintain"), queries = member(own, "queries");
+    if (!entries) return;
+    read_maintain(*entries, scene);
+    report_.maintains = true;
+    if (!queries) return;
+    scene.start -= shift_;
+    *scene.end -= shift_;
+    read_queries(*queries, scene, file_);
+    scene.start += shift_;
+    *scene.end += shift_;
+    for (BoxQuery& query : scene.queries) query.at += shift_;
+  }
+
+  // Edges of a graph are points of one axis.
+  void check_edges() const {
+    const bool edges = std::any_of(tracks_.begin(), tracks_.end(),
+                                   [](const Track& track) { return !track.members.ends.empty(); });
+    if (!edges || report_.scene.dimension == 1) return;
+    throw InputError(file_, "/kinex/dimension",
+                     "edges of a graph with places of more than one axis",
+                     "write 1, or remove the \"ends\"");
   }
 
   std::string_view text_;
   const std::string& file_;
   const MovingFeaturesOptions& options_;
   TimeScale scale_;
+  Rational shift_;  // of times in the file's own members
   FeatureReading reading_;
   std::vector<Track> tracks_;
   std::unordered_map<std::string, std::size_t> numbers_;

@@ -16,8 +16,10 @@
 // A MovingPolygon is a body if all its polygons are one polygon that is moved without turning (vertices that
 // move linearly deform a polygon that turns); this is checked exactly. Its origin is its first vertex.
 //
-// What kinex writes (moving_features_writer.h) has a member "kinex", which gives back name, time, axes,
-// weights and what is to be maintained.
+// What kinex writes (moving_features_writer.h) has a member "kinex", which gives back what a scene has beside
+// its objects, and others in "properties" for what objects have beside their places (feature_members.h).
+//
+// A moving geometry alone, as MobilityDB's asMFJSON gives it, is one object: its "id", or "1".
 #ifndef KINEX_EXPERIMENTS_FORMATS_MOVING_FEATURES_H
 #define KINEX_EXPERIMENTS_FORMATS_MOVING_FEATURES_H
 
@@ -34,7 +36,8 @@ struct MovingFeaturesOptions {
   // overlapping_starts.
   ImportOptions common;
   Plane plane;
-  bool linear = false;  // Discrete is read as Linear
+  bool linear = false;   // Discrete is read as Linear
+  bool maintain = true;  // what the file says is to be maintained is read, and its queries
 };
 
 // True if the text begins as JSON does, not as a table.

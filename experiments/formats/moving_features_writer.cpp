@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/formats/feature_members.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/iso_time.h"
 #include "experiments/formats/json_writer.h"
@@ -67,6 +68,9 @@ class Writer {
  public:
   Writer(const Scene& scene, const std::string& file, const MovingFeaturesForm& form)
       : scene_(scene), file_(file), form_(form), json_(text_) {
+    if (scene.objects.empty()) {
+      throw InputError(file, "/objects", "no objects, and a file needs one", "write one");
+    }
     if (!scene.end && !form.until) {
       throw InputError(file, "/time", "the scene has no end, and a file needs one", "give --until");
     }
@@ -100,20 +104,26 @@ class Writer {
  private:
   void write_own() {
     json_.line(1).key("kinex").begin_object().key("scene").string(scene_.name);
+    write_words(json_, form_.words);
     json_.key("time_zero").string(date(form_.time_zero));
     json_.key("start").quoted(scene_.start).key("end").quoted(end_);
-    json_.key("dimension").number(scene_.dimension).key("maintain").begin_array();
-    for (const Request& request : scene_.maintain) {
-      const std::string text = request_json(request, scene_);
-      json_.string(text[0] == '{' ? text : request.structure);
-    }
-    json_.end_array().end_object();
+    json_.key("dimension").number(scene_.dimension);
+    write_choices(json_, scene_);
+    json_.key("maintain").begin_array();
+    for (const Request& request : scene_.maintain) json_.raw(request_json(request, scene_));
+    json_.end_array();
+    write_queries(json_, scene_);
+    json_.end_object();
   }
 
   std::string date(const Rational& seconds) const {
     if (has_iso_text(seconds)) return iso_text(seconds);
     throw InputError(file_, "/time", "it reaches beyond the years 1 to 9999 as dates in seconds",
                      "give another --time-zero, or a shorter --until");
+  }
+
+  bool is_seen(const MotionPiece& piece) const {
+    return !(piece.from && *piece.from >= end_) && !(piece.to && *piece.to <= scene_.start);
   }
 
   std::vector<Span> spans_of(const Motion& motion) const {
@@ -138,7 +148,7 @@ class Writer {
 
   void write_object(const SceneObject& object) {
     const std::vector<Span> spans = spans_of(object.motion);
-    if (spans.empty()) return;  // it is there at other times only
+    if (spans.empty()) return leave_out(object);
     exact_ = true;
     error_ = Rational();
     const std::vector<Vertex2> polygon = turned_polygon(object, spans);
@@ -166,12 +176,66 @@ class Writer {
       ++result_.inexact;
       result_.error = std::max(result_.error, error_);
     }
-    if (scene_.extents == Extents::kWeight) write_weight(object);
+    write_members(json_, members_of(object, spans));
     json_.end_object().end_object().end_object();
   }
 
-  // The weight, 0 left out.
-  void write_weight(const SceneObject& object) {
+  // An object that is there at other times only.
+  void leave_out(const SceneObject& object) {
+    if (!form_.until) {
+      throw InputError(file_, "",
+                       show_text(object.id) +
+                           " is there at other times than the scene's only, "
+                           "which such a file cannot hold",
+                       "leave it out, or change \"time\"");
+    }
+    ++result_.absent;
+  }
+
+  FeatureMembers members_of(const SceneObject& object, const std::vector<Span>& spans) const {
+    FeatureMembers members;
+    members.colour = object.colour;
+    members.ends = object.ends;
+    if (scene_.extents == Extents::kWeight) members.weight = weight_of(object);
+    if (!exact_) return members;
+    if (!object.polygon.empty()) note_frame(object, spans, members);
+    Motion found, wanted;
+    for (const Span& span : spans) {
+      Trajectory places = *span.trajectory;
+      places.coordinates.resize(static_cast<std::size_t>(axes_));
+      found.pieces.push_back({span.from, span.to, std::move(places)});
+    }
+    for (const MotionPiece& piece : object.motion.pieces) {
+      if (is_seen(piece)) wanted.pieces.push_back({piece.from, piece.to, {}});
+    }
+    join_pieces(found);
+    open_ends(found, scene_.start, end_);
+    std::optional<Rational>& last = wanted.pieces.back().to;
+    if (form_.until && last && *last > end_) last = found.pieces.back().to;
+    note_pieces(found, wanted, members);
+    return members;
+  }
+
+  // The frame, if it is not that of the places: turned, or with its origin at no vertex.
+  void note_frame(const SceneObject& object, const std::vector<Span>& spans,
+                  FeatureMembers& members) const {
+    for (const Span& span : spans) {
+      const auto& axes = span.trajectory->coordinates;
+      members.rotors.push_back({axes[2][0], axes[3][0]});
+    }
+    const auto& all = members.rotors;
+    if (std::all_of(all.begin(), all.end(), [&](const auto& one) { return one == all[0]; })) {
+      members.rotors.resize(1);
+    }
+    const bool turns = members.rotors.size() > 1 || members.rotors[0][0] != Rational(1) ||
+                       !members.rotors[0][1].is_zero();
+    const Vertex2& first = object.polygon[0];
+    if (turns || !first[0].is_zero() || !first[1].is_zero()) members.polygon = object.polygon;
+    if (!turns) members.rotors.clear();
+  }
+
+  // nullopt: 0.
+  std::optional<Rational> weight_of(const SceneObject& object) const {
     const auto weight = common_weight(object, scene_);
     if (!weight || weight->size() > 1) {
       throw InputError(file_, "",
@@ -179,7 +243,8 @@ class Writer {
                            " changes, which such a file cannot hold",
                        "export scenes with constant weights, or without weights");
     }
-    if (!(*weight)[0].is_zero()) json_.key("weight").quoted((*weight)[0]);
+    if ((*weight)[0].is_zero()) return std::nullopt;
+    return (*weight)[0];
   }
 
   // The polygon of a body in its orientation, which must be one for all time; empty for a point.
@@ -195,12 +260,10 @@ class Writer {
           "the body " + show_text(object.id) + " turns, which no MovingPolygon does exactly",
           "export scenes of points, or of bodies that do not turn");
     }
-    const Rational norm = p * p + q * q, cosine = (p * p - q * q) / norm,
-                   sine = Rational(2) * p * q / norm;
     std::vector<Vertex2> polygon;
-    for (const Vertex2& v : object.polygon) {
-      Written x = written(cosine * v[0] - sine * v[1], kPlaceDigits);
-      Written y = written(sine * v[0] + cosine * v[1], kPlaceDigits);
+    for (const Vertex2& v : turned(object.polygon, p, q)) {
+      Written x = written(v[0], kPlaceDigits);
+      Written y = written(v[1], kPlaceDigits);
       if (!x.exact || !y.exact) lose(unit_of(kPlaceDigits));
       polygon.push_back({std::move(x.value), std::move(y.value)});
     }

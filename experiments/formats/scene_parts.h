@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of a scene, each read from its own JSON node. For scene_reader.cpp only.
+// The parts of a scene, each read from its own JSON node. For the readers of scenes and features only.
 #ifndef KINEX_EXPERIMENTS_FORMATS_SCENE_PARTS_H
 #define KINEX_EXPERIMENTS_FORMATS_SCENE_PARTS_H
 
@@ -59,6 +59,9 @@ void check_appearances(const JsonNode& objects, const Scene& scene);
 
 // Fills scene.maintain; the objects must have been read.
 void read_maintain(const JsonNode& node, Scene& scene);
+
+// "overlapping_starts".
+void read_overlapping_starts(const JsonNode& node, Scene& scene);
 
 // Fills scene.queries; the time and "maintain" must have been read.
 void read_queries(const JsonNode& node, Scene& scene, const std::string& file);

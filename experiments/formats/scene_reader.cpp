@@ -123,16 +123,6 @@ bool read_line(const JsonNode& object, const Scene& scene) {
   return true;
 }
 
-void read_overlapping_starts(const JsonNode& node, Scene& scene) {
-  const std::string_view choice = node.string();
-  if (choice == "contact") {
-    scene.overlapping_starts = OverlappingStarts::kContact;
-  } else if (choice != "refused") {
-    node.fail(shown(node.value()) + " is no choice for bodies that start overlapping",
-              "write \"refused\" (the default) or \"contact\"");
-  }
-}
-
 void read_objects(const JsonNode& node, Scene& scene) {
   node.require_array();
   IdIndex seen(node.size());
@@ -253,6 +243,16 @@ Scene make_scene(const JsonDocument& document, std::string_view text, const std:
 }
 
 }  // namespace
+
+void read_overlapping_starts(const JsonNode& node, Scene& scene) {
+  const std::string_view choice = node.string();
+  if (choice == "contact") {
+    scene.overlapping_starts = OverlappingStarts::kContact;
+  } else if (choice != "refused") {
+    node.fail(shown(node.value()) + " is no choice for bodies that start overlapping",
+              "write \"refused\" (the default) or \"contact\"");
+  }
+}
 
 Scene parse_scene(std::string_view text, const std::string& file, Deadline* deadline) {
   refuse_other_formats(text, file);

@@ -169,10 +169,33 @@ void write_options(JsonWriter& json, const Request& request, const Scene& scene)
 
 }  // namespace
 
-std::string write_scene(const Scene& scene) {
+void write_choices(JsonWriter& json, const Scene& scene) {
+  if (scene.jumps) json.key("jumps").boolean(true);
+  if (scene.overlapping_starts == OverlappingStarts::kContact) {
+    json.key("overlapping_starts").string("contact");
+  }
+}
+
+void write_queries(JsonWriter& json, const Scene& scene) {
+  if (scene.queries.empty()) return;
+  json.line(1).key("queries").begin_array();
+  for (const BoxQuery& query : scene.queries) {
+    json.line(2).begin_object().key("at");
+    write_number(json, query.at);
+    json.key("box").begin_array();
+    for (const auto& side : query.box) write_numbers(json, side);
+    json.end_array().end_object();
+  }
+  json.end_array();
+}
+
+std::string write_scene(const Scene& scene) { return write_scene(scene, {}); }
+
+std::string write_scene(const Scene& scene, const SceneWords& words) {
   std::string text;
   JsonWriter json(text);
   json.begin_object().key("kinex").number(1).key("name").string(scene.name);
+  write_words(json, words);
   json.key("dimension").number(scene.dimension);
   json.key("time").begin_object().key("start");
   write_number(json, scene.start);
@@ -181,10 +204,7 @@ std::string write_scene(const Scene& scene) {
     write_number(json, *scene.end);
   }
   json.end_object();
-  if (scene.jumps) json.key("jumps").boolean(true);
-  if (scene.overlapping_starts == OverlappingStarts::kContact) {
-    json.key("overlapping_starts").string("contact");
-  }
+  write_choices(json, scene);
   json.line(1).key("objects").begin_array();
   for (const SceneObject& object : scene.objects) {
     json.line(2).begin_object().key("id").string(object.id);
@@ -208,17 +228,7 @@ std::string write_scene(const Scene& scene) {
   json.line(1).key("maintain").begin_array();
   for (const Request& request : scene.maintain) write_request(json, request, scene);
   json.end_array();
-  if (!scene.queries.empty()) {
-    json.line(1).key("queries").begin_array();
-    for (const BoxQuery& query : scene.queries) {
-      json.line(2).begin_object().key("at");
-      write_number(json, query.at);
-      json.key("box").begin_array();
-      for (const auto& side : query.box) write_numbers(json, side);
-      json.end_array().end_object();
-    }
-    json.end_array();
-  }
+  write_queries(json, scene);
   json.end_object();
   text += '\n';
   return text;

@@ -6,12 +6,16 @@
 #include <string>
 
 #include "core/motion/scene.h"
+#include "experiments/formats/json_writer.h"
+#include "experiments/formats/scene_words.h"
 
 namespace kinex::formats {
 
 // JSON, one object per line; equal scenes give equal bytes, and parse_scene reads the same scene
 // back. Integers below 2^53 are bare numbers, everything else a string in lowest terms.
 std::string write_scene(const Scene& scene);
+// The same with the members that no run looks at; the hash is of the text without them.
+std::string write_scene(const Scene& scene, const SceneWords& words);
 
 // SHA-256 of write_scene: independent of formatting and of how numbers were written in the file.
 std::string scene_hash(const Scene& scene);
@@ -22,6 +26,10 @@ std::string request_json(const Request& request, const Scene& scene);
 std::string options_json(const Request& request, const Scene& scene);
 // A key as JSON: "x", {"direction": [..]}, {"squared_distance_to": ID}.
 std::string key_json(const Key& key, const Scene& scene);
+// "jumps" and "overlapping_starts", if they are not as usual, into the open object.
+void write_choices(JsonWriter& json, const Scene& scene);
+// "queries", if there are any.
+void write_queries(JsonWriter& json, const Scene& scene);
 
 }  // namespace kinex::formats
 

@@ -7,10 +7,14 @@
 
 #include "core/numbers/time_text.h"
 #include "experiments/formats/counted.h"
+#include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/iso_time.h"
+#include "experiments/formats/json_document.h"
+#include "experiments/formats/moving_features.h"
 #include "experiments/formats/moving_features_writer.h"
 #include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
@@ -25,6 +29,28 @@ struct ExportOptions {
   std::string tolerance = "1e-9";
   bool mf_json = false, force = false;
 };
+
+formats::SceneWords words_of(const std::string& text, const std::string& file) {
+  const formats::JsonDocument document = formats::parse_json(text, file);
+  const formats::JsonSource source{file, text};
+  return formats::read_words(formats::JsonNode(*document, source));
+}
+
+// True if kinex import gives the same scene again. Throws InputError if it refuses the file.
+bool is_read_back(const std::string& text, Scene scene, const formats::MovingFeaturesForm& form,
+                  const std::string& file) {
+  if (form.until) scene.end = form.until;
+  try {
+    const formats::ImportReport report = formats::import_moving_features(text, file, {});
+    return report.maintains && formats::write_scene(report.scene, report.words) ==
+                                   formats::write_scene(scene, form.words);
+  } catch (const formats::InputError& error) {
+    throw formats::InputError(
+        file, "", "such a file cannot hold the scene, kinex import refuses it: " + error.problem(),
+        form.until ? "give a later --until, or leave it out"
+                   : "change the scene: " + error.remedy());
+  }
+}
 
 void export_scene(const ExportOptions& options, const Voice& voice) {
   if (!options.mf_json) {
@@ -45,7 +71,9 @@ void export_scene(const ExportOptions& options, const Voice& voice) {
     throw formats::InputError("--tolerance", "", show_text(options.tolerance) + " is no distance",
                               "write a number greater than 0");
   }
-  const Scene scene = formats::read_scene(options.scene);
+  const std::string text = formats::read_text_file(options.scene);
+  const Scene scene = formats::parse_scene(text, options.scene);
+  form.words = words_of(text, options.scene);
   if (!options.until.empty()) {
     form.until = rational_option("--until", options.until);
     if (*form.until <= scene.start || (scene.end && *form.until > *scene.end)) {
@@ -57,14 +85,17 @@ void export_scene(const ExportOptions& options, const Voice& voice) {
   }
   const formats::WrittenFeatures features =
       formats::write_moving_features(scene, options.scene, form);
+  const bool same = is_read_back(features.text, scene, form, options.scene);
   write_result(options.output, options.force, features.text);
-  std::string note = formats::counted(scene.objects.size(), "object", "objects");
+  std::string note = formats::counted(scene.objects.size() - features.absent, "object", "objects");
   if (features.inexact > 0) {
     char error[40];
     std::snprintf(error, sizeof error, "%.2g", features.error.upper_double());
     note += ", " + std::to_string(features.inexact) + " with errors of about " + error + " at most";
   } else {
     note += ", exactly";
+    if (!same)
+      note += "; kinex import gives the same motions in the scene's time, but another hash";
   }
   voice.note(note);
   voice.detail("t = 0 is " + options.time_zero + "; " +
@@ -92,7 +123,8 @@ void add_export_verb(CLI::App& app, int&) {
             "Name the date of t = 0 and the size, on standard error");
   verb->footer(
       "Linear motions with decimals are written as they are: kinex import gives the same scene "
-      "again.\n"
+      "again,\n"
+      "with the same hash. Discs, boxes, lines and bodies that turn are refused.\n"
       "Elsewhere properties.kinex.error_at_most of a feature bounds the error of its places.\n"
       "Example:\n  kinex export square.json --mf-json -o square.mfjson");
   verb->callback([options, verb] { export_scene(*options, voice_of(*verb)); });

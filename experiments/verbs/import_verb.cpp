@@ -114,6 +114,7 @@ formats::ImportReport import_json(const std::string& text, const ImportVerbOptio
                               "leave one of them out");
   }
   if (options.planar) features.plane = formats::Plane::as_they_are();
+  features.maintain = options.maintain.empty();
   if (options.local) features.plane = formats::Plane::around(*options.local);
   return formats::import_moving_features(text, options.file, features);
 }
@@ -131,14 +132,14 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
                                      ? import_json(text, options, import_options)
                                      : import_table(text, options, import_options);
   Scene& scene = report.scene;
-  if (scene.name.empty() || !options.name.empty()) {
+  if (!report.is_named || !options.name.empty()) {
     scene.name = name_option(
         options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name);
   }
-  std::vector<std::string> maintain = options.maintain.empty() ? report.maintain : options.maintain;
+  std::vector<std::string> maintain = options.maintain;
   if (maintain.empty()) maintain = {lab::usual_structure(scene.has_bodies(), scene.dimension)};
-  formats::set_maintain(scene, maintain);
-  write_result(options.output, options.force, formats::write_scene(scene));
+  if (!report.maintains) formats::set_maintain(scene, maintain);
+  write_result(options.output, options.force, formats::write_scene(scene, report.words));
   const bool features = formats::looks_like_json(text);
   voice.note(
       formats::counted(report.rows, features ? "feature" : "row", features ? "features" : "rows") +

@@ -72,7 +72,7 @@ TEST_F(LogEndings, LogsThatAreNotWhole) {
   EXPECT_THAT(cut.out, StartsWith(other + " was cut off\nequal: "));
   EXPECT_THAT(run_kinex({"diff", "--json", log_, other}).out,
               HasSubstr("\"status\": [\"done\", \"cut off\"], \"reached\": [\"1\", null]"));
-  EXPECT_THAT(view().err, HasSubstr(other + ": the log has no last line, its run was cut off"));
+  EXPECT_THAT(view().err, HasSubstr(other + ": the log has no last line: its run was cut off"));
 
   // A run up to an earlier time is whole, but shorter.
   ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "sorted_list", "--until", "1/4", "--events",
