@@ -2,13 +2,15 @@
 #include "experiments/formats/csv_import.h"
 
 #include <algorithm>
-#include <cctype>
+#include <cstddef>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "core/numbers/near_names.h"
+#include "experiments/formats/csv_columns.h"
 #include "experiments/formats/csv_fields.h"
+#include "experiments/formats/csv_properties.h"
 #include "experiments/formats/csv_table.h"
 #include "experiments/formats/heading.h"
 #include "experiments/formats/input_error.h"
@@ -20,44 +22,34 @@ namespace {
 
 constexpr const char* kColumns =
     "name the columns id,t,x[,y[,z]] (traces) or id,x[,y[,z]],vx[,vy[,vz]] (velocities)";
+constexpr const char* kGraphColumns =
+    "name the columns of edges id,t,from,to,weight (traces) or id,from,to,weight,vweight "
+    "(velocities)";
 
 class Importer {
  public:
   Importer(CsvTable table, const std::string& file, const ImportOptions& options)
-      : table_(std::move(table)), file_(file), options_(options) {
-    check_names();
-    id_ = required("id");
-    time_ = column("t");
-    for (const char* axis : {"x", "y", "z"}) {
-      const auto coordinate = column(axis);
-      if (!coordinate) break;
-      coordinates_.push_back(*coordinate);
-    }
-    if (coordinates_.empty()) required("x");
-    if (!time_) {
-      for (std::size_t axis = 0; axis < coordinates_.size(); ++axis) {
-        velocities_.push_back(required(std::string("v") + "xyz"[axis]));
-      }
-    }
-    std::vector<bool> used(table_.columns.size());
-    used[id_] = true;
-    if (time_) used[*time_] = true;
-    for (const std::size_t column : coordinates_) used[column] = true;
-    for (const std::size_t column : velocities_) used[column] = true;
+      : table_(std::move(table)),
+        file_(file),
+        options_(options),
+        columns_(table_, file_, options_.columns),
+        form_(find_form()) {
+    id_ = columns_.take_required("id", kColumns);
+    time_ = columns_.take("t");
+    take_coordinates();
     if (options_.polygons) check_plane();
-    if (options_.heading) find_heading(used);
-    const auto unused = std::find(used.begin(), used.end(), false);
-    report_.ignored_columns = static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
-    if (unused != used.end() && !options_.ignore_columns) {
-      fail_unused(table_.columns[static_cast<std::size_t>(unused - used.begin())]);
-    }
-    tell_columns(used);
+    form_.axes = coordinates_.size();
+    properties_.emplace(table_, file_, columns_, form_);
+    if (options_.heading) find_heading();
+    check_unused();
+    tell_columns();
   }
 
   ImportReport import() {
     if (table_.rows.empty()) throw InputError(file_, "", "there are no rows", "write one per fix");
     report_.rows = table_.rows.size();
     report_.scene.dimension = static_cast<int>(coordinates_.size());
+    report_.scene.extents = properties_->extents();
     if (time_) {
       import_traces();
     } else {
@@ -69,6 +61,13 @@ class Importer {
     for (const std::string& row : options_.fixed)
       add_fixed(report_.scene, row, options_.polygons.has_value());
     check_time(report_.scene, file_);
+    for (std::size_t i = 0; i < last_rows_.size(); ++i) {
+      properties_->check(report_.scene.objects[i], *last_rows_[i], report_.scene);
+    }
+    if (const std::string kinds = text_of_kinds(report_.scene);
+        !kinds.empty() && !options_.polygons) {
+      report_.notes.push_back(kinds);
+    }
     report_.scene.overlapping_starts = options_.overlapping_starts;
     if (options_.polygons) make_bodies(report_.scene, *options_.polygons, {file_, lines_});
     return std::move(report_);
@@ -79,91 +78,49 @@ class Importer {
     const CsvRow* row;
   };
 
-  // Those of --column name a meaning and a column of the table, once each.
-  void check_names() const {
-    for (std::size_t i = 0; i < options_.columns.size(); ++i) {
-      const NamedColumn& one = options_.columns[i];
-      if (!table_.column(one.column)) {
-        throw InputError(
-            file_, "line 1",
-            "there is no column " + show_text(one.column) + ", that of --column " + one.meaning,
-            did_you_mean(one.column, table_.columns, "name a column of the table"));
-      }
-      for (std::size_t j = 0; j < i; ++j) {
-        if (options_.columns[j].meaning != one.meaning && options_.columns[j].column != one.column)
-          continue;
-        throw InputError("--column", "",
-                         one.meaning + "=" + one.column + " after " + options_.columns[j].meaning +
-                             "=" + options_.columns[j].column,
-                         "give every meaning one column of its own");
-      }
-    }
+  // A table of edges of a graph has no y.
+  TableForm find_form() const {
+    TableForm form{0, columns_.find("t").has_value(), options_.polygons.has_value(), false};
+    form.graph =
+        !form.bodies && !columns_.find("y") && (columns_.find("from") || columns_.find("to"));
+    return form;
   }
 
-  // The column for a meaning: that of --column, else that of this name, if it has no other meaning.
-  std::optional<std::size_t> column(const std::string& meaning) const {
-    for (const NamedColumn& one : options_.columns) {
-      if (one.meaning == meaning) return table_.column(one.column);
-    }
-    for (const NamedColumn& one : options_.columns) {
-      if (one.column == meaning) return std::nullopt;
-    }
-    return table_.column(meaning);
-  }
-
-  // " --column t=T" for every meaning whose column differs by capitals alone.
-  std::string capitals() const {
-    std::string options;
-    for (const char* meaning : {"id", "t", "x", "y", "z", "vx", "vy", "vz"}) {
-      if (column(meaning)) continue;
-      for (const std::string& name : table_.columns) {
-        std::string small = name;
-        std::transform(small.begin(), small.end(), small.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        const auto is_taken = [&](const NamedColumn& one) { return one.column == name; };
-        if (small != meaning || std::any_of(options_.columns.begin(), options_.columns.end(), is_taken)) continue;
-        options += std::string(" --column ") + meaning + "=" + name;
-        break;
-      }
-    }
-    return options;
-  }
-
-  std::size_t required(const std::string& name) const {
-    const auto found = column(name);
-    if (!found) {
-      if (const std::string options = capitals(); !options.empty()) {
+  void take_coordinates() {
+    std::vector<std::string> names{"x", "y", "z"};
+    std::string remedy = kColumns;
+    if (form_.graph) {
+      const auto x = columns_.find("x"), weight = columns_.find("weight");
+      if (x && weight) {
         throw InputError(file_, "line 1",
-                         "there is no column " + show_text(name == "vx" ? "t" : name) + " in small letters; capitals matter",
-                         "write the names in small letters, or give" + options);
+                         "the columns " + show_text(table_.columns[*x]) + " and " +
+                             show_text(table_.columns[*weight]) +
+                             ": an edge of a graph has one weight, its x",
+                         "remove one of them, or give --column weight= --ignore-columns");
       }
-      throw InputError(
-          file_, "line 1",
-          "there is no column " + (name == "vx" ? "\"t\", and none \"vx\"" : show_text(name)),
-          std::string(kColumns) + ", or say which they are: --column " + (name == "vx" ? "t" : name) +
-              "=NAME");
+      if (!x) names = {"weight"};
+      remedy = kGraphColumns;
     }
-    return *found;
+    for (const std::string& name : names) {
+      const auto coordinate = columns_.take(name);
+      if (!coordinate) break;
+      coordinates_.push_back(*coordinate);
+    }
+    if (coordinates_.empty()) columns_.take_required(names[0], remedy);
+    if (time_) return;
+    for (std::size_t axis = 0; axis < coordinates_.size(); ++axis) {
+      velocities_.push_back(
+          columns_.take_required("v" + names[axis], remedy, axis == 0 ? "t" : ""));
+    }
   }
 
-  // "columns: id from trackId, t, x, y", "ignored: speed", "fields are separated by semicolons".
-  void tell_columns(const std::vector<bool>& used) {
-    std::string meanings, ignored;
-    const auto tell = [&](const std::string& meaning, std::size_t column) {
-      meanings += (meanings.empty() ? "" : ", ") + meaning;
-      if (table_.columns[column] != meaning) meanings += " from " + table_.columns[column];
-    };
-    tell("id", id_);
-    if (time_) tell("t", *time_);
-    for (std::size_t axis = 0; axis < coordinates_.size(); ++axis)
-      tell(std::string(1, "xyz"[axis]), coordinates_[axis]);
-    for (std::size_t axis = 0; axis < velocities_.size(); ++axis)
-      tell(std::string("v") + "xyz"[axis], velocities_[axis]);
-    if (heading_) tell(options_.heading->compass ? "bearing" : "heading", *heading_);
-    for (std::size_t i = 0; i < used.size(); ++i) {
-      if (!used[i]) ignored += (ignored.empty() ? "" : ", ") + table_.columns[i];
+  // "ignored: speed", "fields are separated by semicolons".
+  void tell_columns() {
+    report_.details.push_back(columns_.text());
+    std::string ignored;
+    for (const std::size_t column : columns_.unused()) {
+      ignored += (ignored.empty() ? "" : ", ") + table_.columns[column];
     }
-    report_.details.push_back("columns: " + meanings);
     if (!ignored.empty()) report_.details.push_back("ignored: " + ignored);
     if (table_.separator == ',') return;
     report_.details.push_back(std::string("fields are separated by ") +
@@ -190,7 +147,7 @@ class Importer {
                      "name the columns x and y, or leave --polygons out");
   }
 
-  void find_heading(std::vector<bool>& used) {
+  void find_heading() {
     const std::string option = options_.heading->compass ? "--bearing" : "--heading";
     const std::string& name = options_.heading->column;
     if (!options_.polygons) {
@@ -203,27 +160,63 @@ class Importer {
                        "there is no column " + show_text(name) + ", the one of " + option,
                        "name a column of the table");
     }
-    if (used[*heading_]) {
+    if (columns_.is_used(*heading_)) {
       throw InputError(option, "", "the column " + show_text(name) + " has another meaning",
                        "name a column of angles in degrees");
     }
-    used[*heading_] = true;
+    columns_.use(*heading_, options_.heading->compass ? "bearing" : "heading");
   }
 
-  [[noreturn]] void fail_unused(const std::string& column) const {
-    const std::string problem = "the column " + show_text(column) + " means nothing here";
-    if (const std::string options = capitals(); !options.empty()) {
+  // Columns without a meaning, unless they are ignored.
+  void check_unused() {
+    const std::vector<std::size_t> unused = columns_.unused();
+    report_.ignored_columns = unused.size();
+    for (const std::size_t column : unused) {
+      if (!columns_.is_named(column)) continue;
+      const std::string meaning = columns_.meaning_of(column);
+      const std::string why = why_without_meaning(meaning, form_);
+      throw InputError("--column", "",
+                       meaning + "=" + table_.columns[column] + " has no use here" +
+                           (why.empty() ? "" : ": " + why),
+                       "leave it out");
+    }
+    if (!unused.empty() && !options_.ignore_columns) fail_unused(unused.front());
+  }
+
+  [[noreturn]] void fail_unused(std::size_t number) const {
+    const std::string& column = table_.columns[number];
+    std::string problem = "the column " + show_text(column) + " means nothing here";
+    if (const std::string options = columns_.capitals(); !options.empty()) {
       throw InputError(file_, "line 1", problem + "; capitals matter",
                        "write the names in small letters, or give" + options + ", or --ignore-columns");
     }
+    const std::string meaning = columns_.meaning_of(number);
+    if (const std::string why = why_without_meaning(meaning, form_); !why.empty()) {
+      throw InputError(file_, "line 1", problem + ": " + why,
+                       "remove it, or give --ignore-columns");
+    }
     if (!options_.polygons) {
+      const std::string usual = std::string(kColumns) + ", or give --ignore-columns for the others";
+      const std::string near = did_you_mean(column, long_names(), "");
       throw InputError(file_, "line 1", problem,
-                       std::string(kColumns) + ", or give --ignore-columns for the others");
+                       near.empty() ? usual : near + " Otherwise give --ignore-columns");
     }
     throw InputError(file_, "line 1", problem,
                      "remove it, or name it with --heading or --bearing, or give --ignore-columns; "
                      "a body that turns is "
                      "written as traces, for no rotor that is polynomial turns at a constant rate");
+  }
+
+  // The meanings that can be misspelt.
+  std::vector<std::string> long_names() const {
+    std::vector<std::string> names;
+    for (const std::string& meaning : meanings_of_objects()) {
+      if (meaning.size() > 3 && why_without_meaning(meaning, form_).empty() &&
+          !columns_.find(meaning)) {
+        names.push_back(meaning);
+      }
+    }
+    return names;
   }
 
   Rational number(const CsvRow& row, std::size_t column) const {
@@ -267,11 +260,21 @@ class Importer {
             {number(row, coordinates_[axis]), number(row, velocities_[axis])});
       }
       if (options_.polygons) add_rotor(trajectory, fixed_rotor(heading(row)));
+      properties_->append(row, trajectory);
       trajectory.normalise();
       Motion motion;
       motion.pieces.push_back({std::nullopt, std::nullopt, std::move(trajectory)});
-      scene.objects.push_back({id(row), std::move(motion)});
+      const std::size_t number = scene.objects.size();
+      properties_->read_words(row, number, id(row));
+      add_object(id(row), std::move(motion), number, row);
     }
+  }
+
+  // `number`: of the object in the table, by first rows; `last`: its last row.
+  void add_object(const std::string& name, Motion motion, std::size_t number, const CsvRow& last) {
+    report_.scene.objects.push_back({name, std::move(motion)});
+    properties_->finish(number, report_.scene.objects.back());
+    last_rows_.push_back(&last);
   }
 
   void import_traces() {
@@ -285,12 +288,15 @@ class Importer {
       }
       FixOfRow fix{{time(row), {}, heading(row)}, &row};
       for (const std::size_t column : coordinates_) fix.position.push_back(number(row, column));
+      properties_->append(row, fix.position);
+      properties_->read_words(row, entry->second, entry->first);
       traces[entry->second].second.push_back(std::move(fix));
     }
     const Rational zero = scale_.settle(options_.time_zero);
     report_.time_zero = scale_.zero_text();
     std::optional<Rational> first, last;
-    for (auto& [name, fixes] : traces) {
+    for (std::size_t number = 0; number < traces.size(); ++number) {
+      auto& [name, fixes] = traces[number];
       for (FixOfRow& fix : fixes) fix.t -= zero;
       sort_fixes(fixes);
       if (!first || fixes.front().t < *first) first = fixes.front().t;
@@ -301,11 +307,24 @@ class Importer {
       }
       Motion motion;
       append_linear(motion, {fixes.begin(), fixes.end()}, options_.polygons.has_value());
-      report_.scene.objects.push_back({name, std::move(motion)});
+      add_object(name, std::move(motion), number, *fixes.back().row);
     }
     report_.scene.start = start().value_or(*first);
     const std::optional<Rational> until = end();
     report_.scene.end = until ? until : last;
+  }
+
+  // Of two fixes at one time.
+  std::string difference(const Fix& one, const Fix& other) const {
+    const auto axes = static_cast<std::ptrdiff_t>(coordinates_.size());
+    if (!std::equal(one.position.begin(), one.position.begin() + axes, other.position.begin())) {
+      return form_.graph ? " has another weight" : " is at another place";
+    }
+    if (one.heading != other.heading) return " has another heading";
+    const Extents extents = properties_->extents();
+    return extents == Extents::kRadius        ? " has another radius"
+           : extents == Extents::kHalfExtents ? " has other half extents"
+                                              : " has another weight";
   }
 
   // Ascending in time, each time once.
@@ -318,11 +337,9 @@ class Importer {
         kept.push_back(std::move(fix));
         continue;
       }
-      const bool moved = kept.back().position != fix.position;
-      if (moved || kept.back().heading != fix.heading) {
+      if (kept.back().position != fix.position || kept.back().heading != fix.heading) {
         throw InputError(file_, place_of_row(*fix.row),
-                         show_text(id(*fix.row)) +
-                             (moved ? " is at another place" : " has another heading") +
+                         show_text(id(*fix.row)) + difference(kept.back(), fix) +
                              " at the same time in line " + std::to_string(kept.back().row->line),
                          "remove one of the two fixes");
       }
@@ -334,11 +351,15 @@ class Importer {
   CsvTable table_;
   const std::string& file_;
   const ImportOptions& options_;
+  CsvColumns columns_;
+  TableForm form_;
+  std::optional<CsvProperties> properties_;
   std::size_t id_;
   std::optional<std::size_t> time_, heading_;
   std::vector<std::size_t> coordinates_, velocities_;
   TimeScale scale_;
   std::unordered_map<std::string, std::size_t> lines_;  // of the first row of each id
+  std::vector<const CsvRow*> last_rows_;                // of each object of the table
   ImportReport report_;
 };
 

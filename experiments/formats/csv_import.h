@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/motion/scene.h"
+#include "experiments/formats/csv_columns.h"
 #include "experiments/formats/csv_polygons.h"
 #include "experiments/formats/csv_table.h"
 #include "experiments/formats/scene_words.h"
@@ -21,11 +22,6 @@ namespace kinex::formats {
 struct HeadingColumn {
   std::string column;    // degrees from -360 to 360
   bool compass = false;  // clockwise from the y axis, not counter-clockwise from the x axis
-};
-
-// The column of a meaning: "id", "t", "x", "vx", ..
-struct NamedColumn {
-  std::string meaning, column;
 };
 
 struct ImportOptions {
@@ -63,7 +59,10 @@ struct ImportReport {
 //               numbers, or dates (time_scale.h).
 //   velocities  x(t) = x + vx t, by default from time 0 on; without an end the scene runs until no
 //               event is left.
-//   fixed       Objects that exist at all times.
+//   properties  Radii, weights, half extents, colours, vertices, lines: csv_properties.h. In a table of edges of a
+//               graph (from, to) the coordinate is the column "x", or "weight".
+//   fixed       Objects that exist at all times; behind the place of each its radius, weight or half extents, if the
+//               table has them.
 //   bodies      The coordinates are those of the origin of a polygon's frame. A heading turns the
 //               frame, to the precision of experiments/formats/heading.h. Between two fixes the
 //               rotor is linear in t, the short way round, so the motion is continuous. The body of

@@ -26,6 +26,15 @@ void append_piece(Motion& motion, const Rational& from, const Rational& to, Traj
   }
 }
 
+// What follows the place in a row of --fixed.
+std::string fields_of_extents(const Scene& scene) {
+  if (scene.extents == Extents::kRadius) return ",RADIUS";
+  if (scene.extents == Extents::kWeight) return ",WEIGHT";
+  return scene.extents == Extents::kNone
+             ? ""
+             : std::string(",HX,HY,HZ").substr(0, 3 * static_cast<std::size_t>(scene.dimension));
+}
+
 }  // namespace
 
 void add_rotor(Trajectory& trajectory, RotorMotion rotor) {
@@ -59,11 +68,13 @@ void add_fixed(Scene& scene, const std::string& text, bool body) {
   const std::string option = "--fixed";
   const std::vector<std::string> fields = parse_csv_row(text, option);
   const auto axes = static_cast<std::size_t>(scene.dimension);
-  if (fields.size() != axes + 1) {
-    throw InputError(option, "",
-                     show_text(text) + " has " + counted(fields.size(), "field", "fields") +
-                         ", not " + std::to_string(axes + 1),
-                     "write " + std::string("ID,X,Y,Z").substr(0, 2 + 2 * axes));
+  const auto values = axes + static_cast<std::size_t>(scene.extent_axes());
+  if (fields.size() != values + 1) {
+    throw InputError(
+        option, "",
+        show_text(text) + " has " + counted(fields.size(), "field", "fields") + ", not " +
+            std::to_string(values + 1),
+        "write " + std::string("ID,X,Y,Z").substr(0, 2 + 2 * axes) + fields_of_extents(scene));
   }
   check_csv_id(fields[0], option, "");
   for (const SceneObject& object : scene.objects) {
@@ -72,13 +83,20 @@ void add_fixed(Scene& scene, const std::string& text, bool body) {
                      "give one of them another name");
   }
   Trajectory trajectory;
-  for (std::size_t axis = 0; axis < axes; ++axis) {
-    std::optional<Rational> value = csv_number(fields[axis + 1]);
+  for (std::size_t i = 0; i < values; ++i) {
+    const std::string& field = fields[i + 1];
+    std::optional<Rational> value = csv_number(field);
     if (!value) {
-      const NumberDefect defect = number_defect(fields[axis + 1], kCsvNumberRemedy);
+      const NumberDefect defect = number_defect(field, kCsvNumberRemedy);
       throw InputError(option, "",
-                       show_text(fields[axis + 1]) + " in " + show_text(text) + " " + defect.problem,
+                       show_text(field) + " in " + show_text(text) + " " + defect.problem,
                        defect.remedy);
+    }
+    if (i >= axes && scene.extents != Extents::kWeight && value->sign() < 0) {
+      throw InputError(option, "", show_text(field) + " in " + show_text(text) + " is negative",
+                       std::string("write a ") +
+                           (scene.extents == Extents::kRadius ? "radius" : "half extent") +
+                           " of 0 or more");
     }
     trajectory.coordinates.push_back({*std::move(value)});
   }

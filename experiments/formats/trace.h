@@ -27,7 +27,8 @@ void append_linear(Motion& motion, const std::vector<Fix>& fixes, bool body);
 // The same, at rest at a fix until the next one: the object jumps.
 void append_steps(Motion& motion, const std::vector<Fix>& fixes, bool body);
 
-// Adds an object at rest, at all times, from "ID,X[,Y[,Z]]" of --fixed. Throws InputError that names it.
+// Adds an object at rest, at all times, from "ID,X[,Y[,Z]]" of --fixed, with the radius, the weight or the half extents
+// behind it if the scene's objects have them. Throws InputError that names it.
 void add_fixed(Scene& scene, const std::string& text, bool body);
 
 // Throws InputError unless the scene ends after its start.

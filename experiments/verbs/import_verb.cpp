@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// kinex import: a table of traces or velocities to a scene of points or bodies.
+// kinex import: a table of traces or velocities, GeoJSON or Moving Features to a scene.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -9,16 +9,18 @@
 #include <utility>
 #include <vector>
 
+#include "core/numbers/near_names.h"
 #include "core/numbers/time_text.h"
 #include "experiments/formats/counted.h"
+#include "experiments/formats/csv_columns.h"
 #include "experiments/formats/csv_import.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/moving_features.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
-#include "experiments/lab/family.h"
 #include "experiments/verbs/option_values.h"
+#include "experiments/verbs/structure_for.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
 
@@ -49,18 +51,28 @@ OverlappingStarts overlapping_starts(const ImportVerbOptions& options) {
                    "write refused or contact");
 }
 
-// "MEANING=COLUMN"
+// "id, t, x"
+std::string list_of(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
+// "MEANING=COLUMN", or "MEANING=" for a table without such a column.
 formats::NamedColumn named_column(const std::string& text) {
-  static const std::vector<std::string> kMeanings{"id", "t", "x", "y", "z", "vx", "vy", "vz"};
+  std::vector<std::string> meanings = formats::meanings_of_places();
+  const std::vector<std::string>& more = formats::meanings_of_objects();
+  meanings.insert(meanings.end(), more.begin(), more.end());
   const std::size_t equals = text.find('=');
   const std::string meaning = text.substr(0, equals);
-  if (equals == std::string::npos || equals + 1 == text.size()) {
+  if (equals == std::string::npos || text == "id=") {
     throw formats::InputError("--column", "", show_text(text) + " names no column",
                               "write MEANING=COLUMN, as id=trackId");
   }
-  if (std::find(kMeanings.begin(), kMeanings.end(), meaning) == kMeanings.end()) {
-    throw formats::InputError("--column", "", show_text(meaning) + " is not a meaning",
-                              "write one of id, t, x, y, z, vx, vy, vz before the =");
+  if (std::find(meanings.begin(), meanings.end(), meaning) == meanings.end()) {
+    throw formats::InputError(
+        "--column", "", show_text(meaning) + " is not a meaning",
+        did_you_mean(meaning, more, "write one of " + list_of(meanings) + " before the ="));
   }
   return {meaning, text.substr(equals + 1)};
 }
@@ -136,8 +148,8 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
     scene.name = name_option(
         options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name);
   }
-  std::vector<std::string> maintain = options.maintain;
-  if (maintain.empty()) maintain = {lab::usual_structure(scene.has_bodies(), scene.dimension)};
+  std::vector<std::string> maintain = options.maintain.empty() ? report.maintain : options.maintain;
+  if (maintain.empty()) maintain = {structure_for(scene)};
   if (!report.maintains) formats::set_maintain(scene, maintain);
   write_result(options.output, options.force, formats::write_scene(scene, report.words));
   const bool features = formats::looks_like_json(text);
@@ -146,6 +158,10 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
       ", " + formats::counted(scene.objects.size(), "object", "objects"));
   if (!report.time_zero.empty()) voice.note("t is in seconds, 0 is " + report.time_zero);
   for (const std::string& note : report.notes) voice.note(note);
+  if (ignores_colours(scene)) {
+    voice.note(
+        "no structure is about the colours: --maintain with \"of\" or \"colours\" names them");
+  }
   for (const std::string& detail : report.details) voice.detail(detail);
   voice.detail(scene.name + ": " + std::to_string(scene.dimension) +
                (scene.dimension == 1 ? " axis" : " axes") + ", t from " + time_text(scene.start) +
@@ -171,15 +187,18 @@ void add_import_verb(CLI::App& app, int&) {
   auto options = std::make_shared<ImportVerbOptions>();
   CLI::App* verb =
       app.add_subcommand("import", "Makes a scene from a CSV file, GeoJSON or Moving Features");
-  verb->add_option(
-          "FILE", options->file,
-          "Columns id,t,x,y[,z] (traces, linear between fixes; a single fix is left out) "
-          "or id,x,y[,z],vx,vy[,vz] (linear); or GeoJSON with times; or OGC Moving Features JSON")
+  verb->add_option("FILE", options->file,
+                   "Columns id,t,x,y[,z] (traces, linear between fixes; a single fix is left out) "
+                   "or id,x,y[,z],vx,vy[,vz] (linear), and more columns (below); or GeoJSON with "
+                   "times; or OGC Moving "
+                   "Features JSON")
       ->required();
   verb->add_option("--column", options->columns,
-                   "MEANING=COLUMN, as id=trackId: the column for id, t, x, y, z, vx, vy or vz, "
-                   "where it has "
-                   "another name; can be given several times")
+                   "MEANING=COLUMN, as id=trackId: the column of a meaning, where it has another "
+                   "name, and MEANING= "
+                   "where the table has no such column; can be given several times; meanings are " +
+                       list_of(formats::meanings_of_places()) + ", " +
+                       list_of(formats::meanings_of_objects()))
       ->allow_extra_args(false);
   verb->add_flag("--ignore-columns", options->ignore_columns, "Ignore columns without a meaning");
   verb->add_option("--separator", options->separator,
@@ -189,8 +208,10 @@ void add_import_verb(CLI::App& app, int&) {
   verb->add_option("--time-zero", options->time_zero,
                    "The date at which t = 0 (first fix), if times are dates");
   add_maintain_option(*verb, options->maintain, "What to maintain");
-  verb->add_option("--fixed", options->fixed,
-                   "Add an object at rest: ID,X[,Y[,Z]]; can be given several times")
+  verb->add_option(
+          "--fixed", options->fixed,
+          "Add an object at rest: ID,X[,Y[,Z]], and its radius, weight or half extents if the "
+          "table has them; can be given several times")
       ->allow_extra_args(false);
   verb->add_option("--polygons", options->polygons,
                    "Make the objects rigid bodies: a CSV file with the columns id,x,y, one row per "
@@ -218,6 +239,11 @@ void add_import_verb(CLI::App& app, int&) {
   add_voice(*verb, "Print the scene and errors, no counts",
             "Name the columns, the time and the hash of the scene, on standard error");
   verb->footer(
+      "More columns: radius, weight, or hx[,hy[,hz]] (half extents), which change as places do, "
+      "beside velocities\n"
+      "at the rates vradius, vweight, vhx, ..; colour; line (true: the line y = a x + b, x and y "
+      "are a and b).\n"
+      "Edges of a graph: id,t,from,to,weight or id,from,to,weight,vweight.\n"
       "Times are numbers, or dates as 2024-05-01T12:30:05Z (ISO 8601): t is then in seconds.\n"
       "Example:\n"
       "  kinex import storms.csv --maintain " +
@@ -226,6 +252,7 @@ void add_import_verb(CLI::App& app, int&) {
       "  kinex import ships.csv --polygons hulls.csv --bearing heading -o harbour.json\n"
       "  kinex import tracks.csv --column id=trackId --column t=time --ignore-columns -o "
       "tracks.json\n"
+      "  kinex import cells.csv --column radius=r --column colour=kind -o cells.json\n"
       "  kinex import tram.mfjson --local 13.4,52.5 -o tram.json\n"
       "  kinex import stars.csv --fixed Sun,0,0,0 -o stars.json --maintain \\\n"
       "    '{\"structure\": \"" +
