@@ -239,10 +239,9 @@ void add_import_verb(CLI::App& app, int&) {
   add_voice(*verb, "Print the scene and errors, no counts",
             "Name the columns, the time and the hash of the scene, on standard error");
   verb->footer(
-      "More columns: radius, weight, or hx[,hy[,hz]] (half extents), which change as places do, "
-      "beside velocities\n"
-      "at the rates vradius, vweight, vhx, ..; colour; line (true: the line y = a x + b, x and y "
-      "are a and b).\n"
+      "More columns: radius, weight, or hx[,hy[,hz]] (half extents), which change as\n"
+      "places do, beside velocities at the rates vradius, vweight, vhx, ..; colour;\n"
+      "line (true: the line y = a x + b, x and y are a and b).\n"
       "Edges of a graph: id,t,from,to,weight or id,from,to,weight,vweight.\n"
       "Times are numbers, or dates as 2024-05-01T12:30:05Z (ISO 8601): t is then in seconds.\n"
       "Example:\n"
