@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "structures/proximity/cone_tree.h"
-#include "structures/proximity/spanning_tree.h"
 #include "structures/proximity/static_cones_audit.h"
+#include "structures/proximity/static_forest_audit.h"
 
 namespace kinex {
 namespace {
@@ -78,10 +78,7 @@ std::vector<ObjectId> static_norm_tree(const Snapshot& snapshot, int corners) {
   });
   std::vector<Edge> edges, tree;
   for (const Candidate& one : all) edges.push_back(one.edge);
-  const std::vector<bool> chosen = kruskal(edges, snapshot.objects());
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (chosen[i]) tree.push_back(edges[i]);
-  }
+  for (const std::size_t i : static_forest(edges, snapshot.objects())) tree.push_back(edges[i]);
   std::sort(tree.begin(), tree.end());
   std::vector<ObjectId> ids;
   for (const auto& edge : tree) ids.insert(ids.end(), edge.begin(), edge.end());

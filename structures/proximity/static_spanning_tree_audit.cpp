@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "structures/proximity/spanning_tree.h"
+#include "structures/proximity/static_forest_audit.h"
 
 namespace kinex {
 namespace {
@@ -36,11 +37,8 @@ std::vector<ObjectId> static_spanning_tree(const Snapshot& snapshot) {
   std::vector<Edge> edges;
   edges.reserve(all.size());
   for (const Candidate& one : all) edges.push_back(one.edge);
-  const std::vector<bool> chosen = kruskal(edges, snapshot.objects());
   std::vector<Edge> tree;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (chosen[i]) tree.push_back(edges[i]);
-  }
+  for (const std::size_t i : static_forest(edges, snapshot.objects())) tree.push_back(edges[i]);
   std::sort(tree.begin(), tree.end());
   std::vector<ObjectId> ids;
   for (const auto& edge : tree) ids.insert(ids.end(), edge.begin(), edge.end());
