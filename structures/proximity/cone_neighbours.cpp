@@ -133,21 +133,34 @@ void ConeNeighbours::tell() {
 
 // ---- checks
 
+namespace {
+
+// Of one pointer, of n points that move linearly.
+Integer most_changes_of_one(std::size_t n) {
+  return davenport_schinzel_bound(3, counted(n)) - Integer(1);
+}
+
+}  // namespace
+
+std::optional<Integer> ConeNeighbours::most_pointer_changes(const BoundContext& context) const {
+  const std::size_t n = context.objects();
+  if (!context.plain() || context.degree > 1 || n == 0) return std::nullopt;
+  return counted(frame().cones() * n) * most_changes_of_one(n);
+}
+
 void ConeNeighbours::add_bounds(const BoundContext& context,
-                                  std::vector<BoundCheck>& result) const {
+                                std::vector<BoundCheck>& result) const {
+  const std::optional<Integer> most = most_pointer_changes(context);
+  if (!most) return;
   const StructureLedger& ledger = *context.ledger;
   const std::size_t n = context.objects();
-  if (!context.plain() || context.degree > 1 || n == 0) return;
-  const Integer changes = davenport_schinzel_bound(3, counted(n)) - Integer(1);
   const auto points = ledger.by_kind.find("point");
   result.push_back(at_most(std::string(name()) + ".point",
                            "pieces of the lower envelope of n - 1 segments, for each pointer",
-                           counted(frame().cones() * n) * changes,
-                           counted(points == ledger.by_kind.end() ? 0 : points->second)));
-  result.push_back(at_most(std::string(name()) + ".external",
-                           "the same for the pointers into cones that count",
-                           counted(frame().counted() * n) * changes,
-                           counted(ledger.external)));
+                           *most, counted(points == ledger.by_kind.end() ? 0 : points->second)));
+  result.push_back(
+      at_most(std::string(name()) + ".external", "the same for the pointers into cones that count",
+              counted(frame().counted() * n) * most_changes_of_one(n), counted(ledger.external)));
 }
 
 void ConeNeighbours::check_woods(AuditReport& report) const {

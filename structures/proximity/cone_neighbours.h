@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "core/engine/kernel.h"
@@ -77,7 +78,10 @@ class ConeNeighbours : public Structure {
   }
   // A failure was repaired: reports what has changed, now or when the instant is over.
   void repaired();
-  // The number of events "point" without flight-plan changes, of linear motions; external ones.
+  // How often pointers change without flight-plan changes, of linear motions; nullopt for other runs, and
+  // without points.
+  std::optional<Integer> most_pointer_changes(const BoundContext& context) const;
+  // The number of events "point" in such runs; external ones.
   void add_bounds(const BoundContext& context, std::vector<BoundCheck>& result) const;
   void check_woods(AuditReport& report) const;
   std::size_t bytes_of_woods() const {

@@ -18,6 +18,7 @@ ConesLocal::ConesLocal(Kernel& kernel, StructureId id, const Scene& scene, const
       slots_(kernel, id, "pointers"),
       certificates_(frame.cones() * scene.objects.size() * kClaims, kNoCertificate),
       failed_at_(frame.woods.size(), 0),
+      is_alone_(frame.woods.size(), false),
       stale_(frame.woods.size(), false) {
   for (const ConeFrame::Vector& direction : frame.axes) orders_.emplace_back(kernel, direction);
 }
@@ -126,11 +127,15 @@ void ConesLocal::certificate_failed(CertificateId failed) {
   const std::uint64_t instant = kernel().instant_number();
   const bool again = failed_at_[i] == instant;
   failed_at_[i] = instant;
+  if (again && is_alone_[i]) --alone_;
+  is_alone_[i] = false;
   if (stale_[i] || again || wood.swap(order_of(c), q, p) != SchnyderWood::Swap::kDone) {
     slots_.drop(certificates_[tag(c)]);
     stale_[i] = true;
     return kernel().settle_later(id());
   }
+  is_alone_[i] = true;
+  ++alone_;
   certify_changed();
   repaired();
 }
@@ -174,6 +179,13 @@ std::vector<BoundCheck> ConesLocal::bounds(const BoundContext& context) const {
           "root, and where pieces meet",
           counted(frame().cones()) * pair_sign_changes(context.pieces, context.degree),
           counted(ledger.failures))};
+  if (const std::optional<Integer> most = most_pointer_changes(context)) {
+    result.push_back(at_most(own + ".failures",
+                             "a failure that is the only one of its wood at its instant changes "
+                             "two pointers, each at most "
+                             "as often as the lower envelope of n - 1 segments",
+                             *most >> 1, counted(alone_)));
+  }
   add_bounds(context, result);
   return result;
 }

@@ -18,7 +18,9 @@
 // as many as the swap rule says; each renews two certificates. Compact, not local. There is no order
 // of points that are far from each other: failures are those of two near points that enter another
 // cone of each other, at most 3n (lambda_3(n) - 1) / 2 a wood for linear motions without flight-plan
-// changes.
+// changes, where no two of a wood share an instant: each changes two pointers by the swap rule, from just
+// before to just after, and a pointer follows the lower envelope of n - 1 segments. Failures that share
+// an instant may change fewer pointers; they are not counted in that bound.
 // Two or more failures of a wood at an instant, new flight plans, insertions and erasures make a wood from
 // sorted points when the instant is settled: O(n log n) signs, and the certificates of the pointers
 // that have changed.
@@ -99,10 +101,11 @@ class ConesLocal final : public ConeNeighbours {
   std::vector<ObjectId> members_;                          // ascending
   std::vector<CertificateId> certificates_;                // by tag
   std::vector<std::pair<std::size_t, ObjectId>> changed_;  // pointers to be certified
-  // By wood: the number of the last instant at which it failed, and whether it is to be made when the
-  // instant is settled.
+  // By wood: the number of the last instant at which it failed, whether that failure is the only one of the wood
+  // at that instant, by now, and whether the wood is to be made when the instant is settled.
   std::vector<std::uint64_t> failed_at_;
-  std::vector<bool> stale_;
+  std::vector<bool> is_alone_, stale_;
+  std::uint64_t alone_ = 0;  // failures that are the only ones of a wood at their instants
 };
 
 }  // namespace kinex

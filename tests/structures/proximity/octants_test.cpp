@@ -82,10 +82,8 @@ TEST(Octants, ReferenceCounts) {
     for (const Request& request : octants()) {
       const TwinRun run(scene, {request});
       EXPECT_EQ(of_kind(run.ledger(), "point"), one.changes[0] + one.changes[1]);
-      if (one.n <= 8) {
-        const TwinRun twin(scene, {request}, "sturm");
-        EXPECT_EQ(run.sink.log.lines, twin.sink.log.lines);
-      }
+      const TwinRun twin(scene, {request}, "sturm");
+      EXPECT_EQ(run.sink.log.lines, twin.sink.log.lines);
       const Scene asked = TwinRun::asking(scene, {request});
       Simulator simulator(asked, planned_arithmetic("exact", asked), {});
       add_structures(simulator, asked);
@@ -105,6 +103,39 @@ TEST(Octants, ReferenceCounts) {
       EXPECT_EQ(listed.ledger().parts[axis].failures, one.swaps[axis]) << "axis " << axis;
     }
   }
+}
+
+// The only failure of a wood at an instant changes two pointers: such failures are counted against a bound on
+// the changes of pointers. On a lattice many share their instants.
+TEST(Octants, AFailureChangesTwoPointers) {
+  const auto alone = [](const TwinRun& run) {
+    for (const BoundCheck& bound : run.simulator.bounds(run.ids[0])) {
+      if (bound.id == "octants_local.failures") return bound;
+    }
+    return BoundCheck{};
+  };
+  for (const auto& [n, seed] : {std::pair(6, 1), {8, 1}, {10, 2}, {12, 3}}) {
+    SCOPED_TRACE(n);
+    const TwinRun run(reference_scene(n, 2, static_cast<std::uint64_t>(seed)),
+                      {ask("octants_local")});
+    const BoundCheck bound = alone(run);
+    const Integer most = davenport_schinzel_bound(3, Integer(n)) - Integer(1);
+    EXPECT_EQ(bound.bound, Integer(3 * n) * most);
+    EXPECT_GT(bound.observed, Integer(0));
+    EXPECT_LE(bound.observed + bound.observed, counted(of_kind(run.ledger(), "point")));
+  }
+  std::uint64_t shared = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const TwinRun run(lattice_scene(seed, 7, 2), {ask("octants_local")});
+    const Integer observed = alone(run).observed;
+    EXPECT_LE(observed + observed, counted(of_kind(run.ledger(), "point")));
+    shared += observed < counted(run.ledger().failures);
+  }
+  EXPECT_GT(shared, 10u);
+  // Flight plans that change: no such bound.
+  const TwinRun flights(random_flights(2, 8, 2, 1, true), {ask("octants_local")});
+  EXPECT_EQ(alone(flights).id, "");
 }
 
 // All pairs change their order in all four lists: 4 C(n, 2) swaps.
