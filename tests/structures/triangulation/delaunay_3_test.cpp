@@ -77,6 +77,42 @@ std::vector<std::array<std::int64_t, 3>> unit_cube() {
   return points;
 }
 
+// The cells, and the facets of the hull, those of one cell only: a cell with the vertex at infinity each.
+std::set<std::vector<ObjectId>> with_ghosts(const std::vector<ObjectId>& ids) {
+  std::set<std::vector<ObjectId>> all, hull;
+  for (std::size_t i = 0; i < ids.size(); i += 4) {
+    const std::vector<ObjectId> cell(ids.begin() + static_cast<std::ptrdiff_t>(i),
+                                     ids.begin() + static_cast<std::ptrdiff_t>(i + 4));
+    all.insert(cell);
+    for (std::ptrdiff_t out = 0; out < 4; ++out) {
+      std::vector<ObjectId> facet = cell;
+      facet.erase(facet.begin() + out);
+      if (const auto [place, fresh] = hull.insert(facet); !fresh) hull.erase(place);
+    }
+  }
+  all.insert(hull.begin(), hull.end());
+  return all;
+}
+
+// From the start to the end of the run, at one instant, as many cells give way to as many others, ghosts
+// counted, by one sew. If these are all cells, they are built anew instead.
+void expect_given_way(const Scene& scene, std::size_t cells, bool all) {
+  World world(scene);
+  world.start();
+  const auto before = with_ghosts(world.cells());
+  world.run_until(*scene.end).expect_clean();
+  const auto after = with_ghosts(world.cells());
+  EXPECT_EQ(world.simulator().ledger().instants, 1u);
+  EXPECT_EQ(before.size(), after.size());
+  const auto gone = std::count_if(before.begin(), before.end(),
+                                  [&](const auto& cell) { return after.count(cell) == 0; });
+  EXPECT_EQ(static_cast<std::size_t>(gone), cells);
+  EXPECT_EQ(all, cells == before.size());
+  EXPECT_EQ(world.ledger().rebuilds, all ? 1u : 0u);
+  EXPECT_EQ(world.structure().sews(), all ? 0u : 1u);
+  EXPECT_EQ(world.structure().largest_sew(), all ? 0u : cells);
+}
+
 TEST(Delaunay3, ShearedCubes) {
   std::vector<Trajectory> once, twice;
   for (const auto& p : unit_cube()) {
@@ -90,11 +126,13 @@ TEST(Delaunay3, ShearedCubes) {
     world.run_until(2).expect_clean();
     EXPECT_EQ(world.simulator().ledger().instants, 1u);
     EXPECT_EQ(world.cells().size(), 4 * 6u);
+    expect_given_way(scene_of(*m, -2, Rational(2)), 10, false);
   }
   World world(scene_of(twice, -1, Rational(1)));
   world.run().expect_clean();
   EXPECT_EQ(world.simulator().ledger().instants, 1u);
   EXPECT_EQ(world.cells().size(), 4 * 6u);
+  expect_given_way(scene_of(twice, -1, Rational(1)), 18, true);
 }
 
 // The square of the octahedron has another diagonal: four cells around it for four.
@@ -106,14 +144,16 @@ TEST(Delaunay3, OctahedronIsSewn) {
   }
   motions.push_back(integers({0, 0, 1}, {0, 0, 1}));
   motions.push_back(integers({0, 0, -1}, {0, 0, 0}));
-  World world(
-      scene_of(motions, Rational(Integer(-1), Integer(2)), Rational(Integer(1), Integer(2))));
+  const Rational half(Integer(1), Integer(2));
+  World world(scene_of(motions, -half, half));
   world.run().expect_clean();
   for (const std::string& line : world.lines()) ::testing::Test::RecordProperty("event", line);
   EXPECT_EQ(world.cells().size(), 4 * 4u);
+  expect_given_way(scene_of(motions, -half, half), 4, false);
 }
 
-// P6: a point passes by two skew curves.
+// A point passes by two skew curves. Of four points each: all 17 cells that are there without it give way, and
+// come back.
 TEST(Delaunay3, SkewCurves) {
   for (const auto& [m, flips] : {std::pair(2, 6), std::pair(3, 20), std::pair(4, 38)}) {
     SCOPED_TRACE(m);
@@ -123,11 +163,28 @@ TEST(Delaunay3, SkewCurves) {
       motions.push_back(integers({i * i, 40 * i - 20 * (m - 1) + 3, 80 + i * i * i}, {0, 0, 0}));
     }
     motions.push_back(integers({1, 2, 0}, {0, 0, 1}));
-    World world(scene_of(motions, -10000000, Rational(10000000)));
+    const Scene scene = scene_of(motions, -10000000, Rational(10000000));
+    World world(scene), sturm(scene, "sturm");
     world.run().expect_clean();
+    sturm.run().expect_clean();
+    EXPECT_EQ(world.lines(), sturm.lines());
     EXPECT_EQ(world.ledger().external, static_cast<std::uint64_t>(flips));
     EXPECT_EQ(world.count("retile"), 0u);
+    if (m < 4) continue;
+    EXPECT_EQ(world.count("flip_2_3"), 17u);
+    EXPECT_EQ(world.count("flip_3_2"), 17u);
+    EXPECT_EQ(world.count("enter") + world.count("hull_2_3"), 2u);
+    EXPECT_EQ(world.count("leave") + world.count("hull_3_2"), 2u);
   }
+}
+
+// Four points are in one plane at t = 1 alone: all four facets touch zero, and none changes its sign.
+TEST(Delaunay3, TouchesAreNoChanges) {
+  World world(lattice_scene(215, 4, 3));
+  world.run().expect_clean();
+  EXPECT_EQ(world.count("touch"), 4u);
+  EXPECT_EQ(world.ledger().failures, 4u);
+  EXPECT_EQ(world.ledger().external, 0u);
 }
 
 TEST(Delaunay3, FewPointsAndOnePlane) {
