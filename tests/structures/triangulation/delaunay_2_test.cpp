@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/triangulation/delaunay_2_support.h"
 
 namespace kinex::delaunay_2_test {
@@ -124,6 +125,23 @@ std::vector<ObjectId> same_names(std::size_t n) {
   std::vector<ObjectId> name(n);
   for (std::size_t i = 0; i < n; ++i) name[i] = static_cast<ObjectId>(i);
   return name;
+}
+
+// As many as another program counts.
+TEST(Delaunay2, ReferenceCounts) {
+  struct Row {
+    int n;
+    std::uint64_t seed, inner, hull;
+  };
+  for (const Row& row :
+       {Row{6, 1, 10, 8}, Row{8, 1, 17, 8}, Row{10, 2, 34, 12}, Row{12, 3, 29, 5}}) {
+    SCOPED_TRACE(row.n);
+    World world(test::reference_scene(row.n, 2, row.seed));
+    world.run().expect_clean();
+    EXPECT_EQ(world.count("flip"), row.inner);
+    EXPECT_EQ(world.count("enter") + world.count("leave"), row.hull);
+    EXPECT_EQ(world.ledger().external, row.inner + row.hull);
+  }
 }
 
 TEST(Delaunay2, TimeReversedGivesTheEventsBackwards) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Regular2: ties of every kind, equal points, points on one line, flight plans, lives, arithmetics.
+#include <algorithm>
+#include <set>
+
 #include "tests/structures/triangulation/regular_support.h"
 
 namespace kinex::regular_test {
@@ -99,6 +102,31 @@ TEST(Regular2, FewPointsAndOneLine) {
 }
 
 // At 1 a point leaves the line of all others; from 2 on it is identically on the line.
+// The grid {0, 1, 2}^2 is sheared: at t = 0 each of its four unit squares has its other diagonal, at t = -1 and t = 1
+// each of two.
+TEST(Regular2, AShearedGrid) {
+  std::vector<Trajectory> motions;
+  for (int i = 0; i < 9; ++i) motions.push_back(path({{i / 3, i % 3}, {i % 3}}));
+  World world(test::scene_of(motions, -2, Rational(2)));
+  const auto cells_at = [&world](const Rational& t) {
+    std::set<std::array<ObjectId, 3>> cells;
+    const std::vector<ObjectId> ids = world.run_until(t).cells();
+    for (std::size_t i = 0; i < ids.size(); i += 3) cells.insert({ids[i], ids[i + 1], ids[i + 2]});
+    return cells;
+  };
+  auto before = cells_at(fraction(-3, 2));
+  for (const auto& [t, given_way] : {std::pair(-1, 4), {0, 8}, {1, 4}}) {
+    auto after = cells_at(Rational(t) + fraction(1, 2));
+    const auto gone = std::count_if(before.begin(), before.end(),
+                                    [&](const auto& cell) { return after.count(cell) == 0; });
+    EXPECT_EQ(gone, given_way) << t;
+    before = std::move(after);
+  }
+  world.run().expect_clean();
+  EXPECT_EQ(world.simulator().ledger().instants, 3u);
+  EXPECT_EQ(world.structure().sews(), 0u);
+}
+
 TEST(Regular2, APointLeavesTheCommonLine) {
   std::vector<Trajectory> line;
   for (int i = 0; i < 5; ++i) line.push_back(path({{i}, {0}, {i % 2}}));

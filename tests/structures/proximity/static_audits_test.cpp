@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What audits compare with: trees by boost::graph, boxes by CGAL; and an audit sees an attribute that is not that
+// of the positions.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "structures/proximity/spanning_tree.h"
+#include "structures/proximity/static_forest_audit.h"
+#include "structures/proximity/static_meetings_audit.h"
+#include "tests/structures/proximity/meetings_support.h"
+
+namespace kinex::test {
+namespace static_audits_test {
+
+using Ids = std::vector<ObjectId>;
+
+TEST(StaticAudits, TiesOfATreeGoToSmallerIds) {
+  Snapshot grid(Rational(0), 2, 2, 9);
+  for (ObjectId i = 0; i < 9; ++i) {
+    grid.set(i, 0, Rational(static_cast<int>(i) % 3));
+    grid.set(i, 1, Rational(static_cast<int>(i) / 3));
+  }
+  EXPECT_EQ(static_spanning_tree(grid), (Ids{0, 1, 0, 3, 1, 2, 1, 4, 2, 5, 3, 6, 4, 7, 5, 8}));
+}
+
+// Parallel edges, a loop, two parts.
+TEST(StaticAudits, AForestOfAnyGraph) {
+  const std::vector<std::array<std::uint32_t, 2>> edges{{0, 1}, {1, 0}, {2, 2},
+                                                        {3, 4}, {1, 2}, {0, 2}};
+  EXPECT_EQ(static_forest(edges, 5), (std::vector<std::size_t>{0, 3, 4}));
+  EXPECT_EQ(static_forest({}, 0), std::vector<std::size_t>{});
+}
+
+// Against the definition; many of the boxes only touch, some are points, some are not there.
+TEST(StaticAudits, ClosedBoxes) {
+  for (int dimension = 1; dimension <= 3; ++dimension) {
+    SCOPED_TRACE(dimension);
+    Random random(static_cast<std::uint64_t>(dimension));
+    Snapshot boxes(Rational(0), dimension, 2 * dimension, 40);
+    for (ObjectId i = 0; i < 40; ++i) {
+      if (i % 13 == 5) continue;
+      for (int axis = 0; axis < dimension; ++axis) {
+        boxes.set(i, axis, Rational(random.between(0, 9)));
+        boxes.set(i, dimension + axis, Rational(random.between(0, 2)));
+      }
+    }
+    std::size_t touches = 0;
+    const Ids expected = static_meetings(boxes, [&](ObjectId a, ObjectId b) {
+      bool meet = true, touch = false;
+      for (int axis = 0; axis < dimension; ++axis) {
+        const Rational gap = boxes.position(b, axis) - boxes.position(a, axis);
+        const Rational apart = gap.sign() < 0 ? -gap : gap;
+        const Rational reach =
+            boxes.position(a, dimension + axis) + boxes.position(b, dimension + axis);
+        meet = meet && apart <= reach;
+        touch = touch || apart == reach;
+      }
+      touches += meet && touch;
+      return meet;
+    });
+    EXPECT_GT(touches, 3u);
+    EXPECT_EQ(static_box_pairs(boxes, false), expected);
+  }
+}
+
+// The audit of a structure at its own positions, and at those of the scene's start, where its attribute was
+// another one.
+TEST(StaticAudits, AnAuditSeesAWrongAttribute) {
+  Scene lined = reference_scene(8, 2, 2), graph = reference_scene(8, 1, 3);
+  with_lines(lined, LineUse::kWithPoints);
+  graph = suited(graph, *find_structure_info("graph_mst_list"));
+  const std::pair<const char*, Scene> runs[]{
+      {"emst_list", reference_scene(8, 2, 1)},
+      {"emst_cycles", reference_scene(7, 3, 2)},
+      {"mst_maximum_norm_list", reference_scene(8, 2, 1)},
+      {"mst_polygon_cycles", reference_scene(6, 2, 1)},
+      {"graph_mst_clusters", graph},
+      {"box_pairs", extended_reference(8, 2, 1, Extents::kHalfExtents)},
+      {"points_in_arrangement", lined}};
+  for (auto [name, scene] : runs) {
+    SCOPED_TRACE(name);
+    scene.end = *scene.end - Rational(Integer(1), Integer(97));
+    const TwinRun run(scene, {ask(name)});
+    ASSERT_NE(run.attribute(), run.begins_with);
+    const Structure& structure = run.simulator.structure(run.ids[0]);
+    AuditReport right, wrong;
+    structure.audit(run.simulator.snapshot(*scene.end), right);
+    structure.audit(run.simulator.snapshot(scene.start), wrong);
+    EXPECT_EQ(right.violations, std::vector<std::string>{});
+    EXPECT_FALSE(wrong.violations.empty());
+  }
+}
+
+}  // namespace static_audits_test
+}  // namespace kinex::test

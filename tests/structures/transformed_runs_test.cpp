@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Structures of proximity, triangulations and arrangements, one table of all: time reversed and a motion
+// that all objects share leave every attribute as it was, at exactly the images of its instants; and
+// from any rational instant on a run goes on as one that begins there.
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/sanitized.h"
+#include "tests/structures/metamorphic_scenes.h"
+#include "tests/structures/proximity/meetings_support.h"
+
+namespace kinex::test {
+namespace transformed_runs_test {
+
+using Ids = std::vector<ObjectId>;
+
+enum class Made { kPlane, kSpace, kGraph, kWeightedPlane, kWeightedSpace, kLines, kLinesAndPoints };
+
+struct Row {
+  std::vector<Request> requests;  // for one attribute
+  Made made;
+  int degrees = 1;  // motions up to this degree
+};
+
+const std::vector<Row>& table() {
+  static const std::vector<Row> kRows{
+      {{ask("closest_pair_delaunay"), ask("closest_pair_all"), ask("closest_pair_range_tree"),
+        ask("closest_pair_cones"), ask("closest_pair_local"), ask("closest_pair_bins")},
+       Made::kPlane,
+       2},
+      {{ask("closest_pair_delaunay"), ask("closest_pair_all")}, Made::kSpace},
+      {{ask("bichromatic_pair_delaunay"), ask("bichromatic_pair_all")}, Made::kPlane, 2},
+      {{ask("bichromatic_pair_delaunay"), ask("bichromatic_pair_all")}, Made::kSpace},
+      {{ask("emst_list"), ask("emst_cycles"), ask("emst_clusters")}, Made::kPlane, 2},
+      {{ask("emst_list"), ask("emst_cycles"), ask("emst_clusters")}, Made::kSpace},
+      {{ask("graph_mst_list"), ask("graph_mst_cycles"), ask("graph_mst_clusters"),
+        ask("graph_mst_sparsified")},
+       Made::kGraph,
+       2},
+      {{ask("mst_polygon_list"), ask("mst_polygon_cycles")}, Made::kPlane},
+      {{ask("octants_listed"), ask("octants_local")}, Made::kPlane, 2},
+      {{ask("nearest_site")}, Made::kPlane, 2},
+      {{ask("delaunay_3")}, Made::kSpace},
+      {{ask("regular_2")}, Made::kWeightedPlane, 2},
+      {{ask("regular_3")}, Made::kWeightedSpace},
+      {{ask("line_arrangement_2")}, Made::kLines},
+      {{ask("trapezoids_2")}, Made::kLines},
+      {{ask("points_in_arrangement")}, Made::kLinesAndPoints}};
+  return kRows;
+}
+
+bool has_weights(Made made) { return made == Made::kWeightedPlane || made == Made::kWeightedSpace; }
+int dimension_of(Made made) {
+  return made == Made::kGraph ? 1 : made == Made::kSpace || made == Made::kWeightedSpace ? 3 : 2;
+}
+// What the objects of the scene are besides points with weights.
+Scene finished(Scene scene, Made made) {
+  if (made == Made::kLines) with_lines(scene, LineUse::kAlone);
+  if (made == Made::kLinesAndPoints) with_lines(scene, LineUse::kWithPoints);
+  return made == Made::kGraph ? suited(std::move(scene), *find_structure_info("graph_mst_list"))
+                              : scene;
+}
+
+// ---- other motions
+
+// Coefficients are k / 1000 with |k| <= 3000: no ties, no two instants at once (to be expected).
+Scene wild(Made made, int degree) {
+  Random random(static_cast<std::uint64_t>(degree) + 60);
+  std::vector<Trajectory> paths;
+  for (int i = 0; i < 7; ++i) {
+    Trajectory one = random.small_path(dimension_of(made) + has_weights(made), degree, 3000);
+    for (auto& axis : one.coordinates) {
+      for (Rational& c : axis) c *= fraction(1, 1000);
+    }
+    paths.push_back(std::move(one));
+  }
+  Scene scene = scene_of(paths, fraction(-5, 7), fraction(8, 9));
+  scene.dimension = dimension_of(made);
+  if (has_weights(made)) scene.extents = Extents::kWeight;
+  return finished(std::move(scene), made);
+}
+
+// All points, and all weights, have one more motion. A line y = ax + b is mapped as its points are, by
+// y + 2x + more: to another line.
+Image with_common_motion(const Scene& scene, Made made) {
+  const Trajectory more = path({{1000, fraction(-17, 3), fraction(2, 9)},
+                                {fraction(1, 3), 5, fraction(-9, 7)},
+                                {-7, fraction(3, 11)},
+                                {2, fraction(-1, 4), 1}});
+  if (made != Made::kLinesAndPoints) return carried(scene, {}, more);
+  Image image{scene, {}, 1, 0, false, {}, "points and lines carried along"};
+  for (SceneObject& object : image.scene.objects) {
+    for (MotionPiece& piece : object.motion.pieces) {
+      auto& x = piece.trajectory.coordinates[0];
+      auto& y = piece.trajectory.coordinates[1];
+      y.resize(3);
+      for (std::size_t k = 0; k < 3; ++k) {
+        y[k] += more.coordinates[1][k];
+        if (!object.line && k < x.size()) y[k] += Rational(2) * x[k];
+      }
+      if (object.line) x[0] += Rational(2);
+    }
+  }
+  return image;
+}
+
+// Keeps each change of an attribute, with the last external event of its instant.
+class Changes final : public EventSink {
+ public:
+  Changes(const Simulator& simulator, StructureId id) : simulator_(&simulator), id_(id) {
+    recorder_.instants = 1000000;
+  }
+  void begin() {
+    value_ = value();
+    begun_ = true;
+  }
+  void event(const Event& event, Arithmetic& arithmetic) override {
+    if (event.structure == id_ && event.external) recorder_.event(event, arithmetic);
+  }
+  void instant_ended() override {
+    if (!begun_) return;
+    Ids now = value();
+    if (now != value_) {
+      ASSERT_FALSE(recorder_.events.empty()) << "a change without an event";
+      all.push_back({recorder_.events.back(), std::move(value_), now});
+      value_ = std::move(now);
+    }
+    recorder_.events.clear();
+  }
+  struct Change {
+    Recorded event;
+    Ids before, after;
+  };
+  std::vector<Change> all;
+
+ private:
+  Ids value() const { return simulator_->structure(id_).attribute().ids; }
+
+  const Simulator* simulator_;
+  StructureId id_;
+  Recorder recorder_;
+  Ids value_;
+  bool begun_ = false;
+};
+
+// The changes of the attribute, each a moment of the old scene.
+std::vector<Moment> moments(const Image& image, const Request& request) {
+  const Scene scene = TwinRun::asking(image.scene, {request});
+  Simulator simulator(scene, planned_arithmetic("exact", scene), Trial::options(AuditLevel::kEnd));
+  Changes changes(simulator, asked_structure(scene));
+  add_structures(simulator, scene);
+  simulator.set_sink(&changes);
+  simulator.start();
+  changes.begin();
+  simulator.run_until(std::nullopt);
+  EXPECT_EQ(simulator.violations(), std::vector<std::string>{});
+  const auto text = [](const Ids& ids) {
+    std::string result;
+    for (const ObjectId id : ids) result += " " + std::to_string(id);
+    return result;
+  };
+  std::vector<Moment> result;
+  for (auto& [event, before, after] : changes.all) {
+    if (image.reverses_time()) std::swap(before, after);
+    result.push_back({instant_of(event, image), {text(before) + " >" + text(after)}});
+  }
+  if (image.reverses_time()) std::reverse(result.begin(), result.end());
+  return result;
+}
+
+TEST(TransformedRuns, TimeReversedAndACommonMotion) {
+  for (const Row& row : table()) {
+    for (int degree = 1; degree <= (kSanitized ? 1 : row.degrees); ++degree) {
+      const Scene scene = wild(row.made, degree);
+      for (const Request& request : row.requests) {
+        SCOPED_TRACE(request.structure + " in " + std::to_string(scene.dimension) +
+                     " axes, degree " + std::to_string(degree));
+        const auto expected = moments({scene, {}, 1, 0, false, {}, "the same"}, request);
+        EXPECT_GT(expected.size(), 0u);
+        for (const Image& image : {in_time(scene, {}, fraction(-2, 7), fraction(1, 5)),
+                                   with_common_motion(scene, row.made)}) {
+          SCOPED_TRACE(image.how);
+          expect_same_moments(expected, moments(image, request));
+        }
+      }
+    }
+  }
+}
+
+// ---- a run from the middle
+
+// Objects come, go and change their motions.
+Scene flights(Made made, std::uint64_t seed, int degree) {
+  const int n = dimension_of(made) == 3 ? 6 : 8;
+  if (has_weights(made)) {
+    return extended_flights(seed, n, dimension_of(made), degree, true, Extents::kWeight);
+  }
+  return finished(
+      random_flights(seed, n, made == Made::kGraph ? 2 : dimension_of(made), degree, true), made);
+}
+
+TEST(TransformedRuns, AFreshRunFromTheMiddle) {
+  const Rational middle(Integer(11), Integer(5));
+  std::uint64_t external = 0;
+  for (const Row& row : table()) {
+    for (const std::uint64_t seed : {1u, 3u}) {
+      // In space the other scene is in one plane for a while, and triangulations of it are built anew.
+      if (seed > 1 && (kSanitized || dimension_of(row.made) == 3)) break;
+      SCOPED_TRACE(row.requests[0].structure + ", seed " + std::to_string(seed));
+      Scene scene = flights(row.made, seed, row.degrees);
+      const TwinRun whole(scene, row.requests);
+      Scene late = scene;
+      late.start = middle;
+      const TwinRun fresh(late, row.requests);
+      scene.end = middle;
+      const TwinRun first(scene, row.requests);
+      EXPECT_EQ(first.attribute(), fresh.begins_with);
+      EXPECT_EQ(fresh.attribute(), whole.attribute());
+      EXPECT_EQ(first.ledger().external + fresh.ledger().external, whole.ledger().external);
+      external += whole.ledger().external;
+    }
+  }
+  EXPECT_GT(external, 200u);
+}
+
+}  // namespace transformed_runs_test
+}  // namespace kinex::test
