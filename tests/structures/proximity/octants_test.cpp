@@ -133,6 +133,13 @@ TEST(Octants, AFailureChangesTwoPointers) {
     shared += observed < counted(run.ledger().failures);
   }
   EXPECT_GT(shared, 10u);
+  // Two pairs far from each other, each with another order along y from t = 1 on: no failure is alone in its wood.
+  const TwinRun twice(scene_of({path({{0}, {-1, 1}}), path({{3}, {0}}), path({{1000}, {499, 1}}),
+                                path({{1003}, {500}})},
+                               0, Rational(2)),
+                      {ask("octants_local")});
+  EXPECT_GE(twice.ledger().failures, 4u);
+  EXPECT_EQ(alone(twice).observed, Integer(0));
   // Flight plans that change: no such bound.
   const TwinRun flights(random_flights(2, 8, 2, 1, true), {ask("octants_local")});
   EXPECT_EQ(alone(flights).id, "");
