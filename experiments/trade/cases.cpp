@@ -37,13 +37,19 @@ lab::WorkloadParameters parameters_of(const std::string& workload, int n, int de
   return parameters;
 }
 
+// Tells scenes in space from others of a structure that has both.
+std::string axes_of(const lab::TradePlan& plan) {
+  const bool both = plan.dimension == 3 && find_structure_info(plan.structure)->min_dimension < 3;
+  return both ? ", 3 axes" : "";
+}
+
 void add_case(TradeCatalogue& catalogue, const lab::TradePlan& plan, const std::string& workload, int n,
               int degree, double cost) {
   TradeCase one;
   one.structure = plan.structure;
   one.workload = workload;
   one.parameters = parameters_of(workload, n, degree, plan.dimension);
-  one.name = workload + (degree == 1 ? "" : ", degree " + std::to_string(degree));
+  one.name = workload + axes_of(plan) + (degree == 1 ? "" : ", degree " + std::to_string(degree));
   one.cost = cost;
   catalogue.cases.push_back(std::move(one));
 }
@@ -64,7 +70,7 @@ void add_plan(TradeCatalogue& catalogue, const lab::TradePlan& plan, lab::Extent
       one.workload = "uniform-square";
       one.parameters = parameters_of(one.workload, n, degree, plan.dimension);
       one.seeds = size == 0 ? 4 : 8;
-      one.family = "uniform-square, degree " + std::to_string(degree);
+      one.family = "uniform-square" + axes_of(plan) + ", degree " + std::to_string(degree);
       one.cost = 0.001 * n;
       catalogue.bits.push_back(std::move(one));
     }

@@ -54,8 +54,7 @@ std::vector<DelaunayEdge> DelaunayGraph::edges() const {
     for (std::size_t i = 0; i + 1 < ids.size(); i += 2) result.push_back({ids[i], ids[i + 1]});
   }
   for (ObjectId object = 0; object < objects(); ++object) {
-    const ObjectId vertex = in_plane_ != nullptr ? in_plane_->representative(object)
-                                                 : in_space_->representative(object);
+    const ObjectId vertex = representative(object);
     if (vertex != object && vertex != kNoObject) result.push_back({vertex, object});
   }
   std::sort(result.begin(), result.end());

@@ -37,6 +37,15 @@ class DelaunayGraph {
   std::size_t objects() const {
     return in_plane_ != nullptr ? in_plane_->objects() : in_space_->objects();
   }
+  // The vertex for `object`: itself, or the one it is hidden behind; kNoObject: not present.
+  ObjectId representative(ObjectId object) const {
+    return in_plane_ != nullptr ? in_plane_->representative(object)
+                                : in_space_->representative(object);
+  }
+  // The vertices that an edge joins to a vertex, ascending. O(k log k) for k of them.
+  std::vector<ObjectId> neighbours(ObjectId vertex) const {
+    return in_plane_ != nullptr ? in_plane_->neighbours(vertex) : in_space_->neighbours(vertex);
+  }
   // All of them, ascending. O(n log n) for n edges.
   std::vector<DelaunayEdge> edges() const;
   // The change that an external event of the triangulation states; nullopt if it has to be read off

@@ -223,8 +223,12 @@ std::vector<StructureInfo> closest_pairs() {
 
 StructureInfo nearest_site() {
   StructureInfo info{.name = "nearest_site",
-                     .summary = "the site nearest to a moving query, by its Delaunay neighbours"};
+                     .summary =
+                         "the site nearest to a moving query, in the plane or in space, by its "
+                         "Delaunay neighbours"};
   info.min_dimension = 2;
+  info.any_dimension = true;
+  info.refuse = beyond_space;
   info.query = true;
   info.shape = Attribute::Shape::kObject;
   info.reads = {{"delaunay_2"}};
@@ -233,12 +237,11 @@ StructureInfo nearest_site() {
       {"tie", Effect::kNever, "a smaller site is as near as the nearest one, identically"}};
   info.certificates =
       "one for each Delaunay neighbour of the nearest site, at most n - 1 for n sites; those of "
-      "delaunay_2, of the sites, besides";
+      "delaunay_2 or delaunay_3, of the sites, besides";
   info.ties = "of sites at identically equal distances the smallest id";
   info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
   info.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
-    return std::make_unique<NearestSite>(
-        in.kernel, in.id, dynamic_cast<const Delaunay2&>(*in.watched[0]), query_of(in.request));
+    return std::make_unique<NearestSite>(in.kernel, in.id, triangulation(in), query_of(in.request));
   };
   return info;
 }

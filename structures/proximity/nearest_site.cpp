@@ -6,17 +6,16 @@
 
 #include "predicates/predicates.h"
 #include "structures/parts/extremum_bounds.h"
-#include "structures/proximity/delaunay_edges.h"
 
 namespace kinex {
 
-NearestSite::NearestSite(Kernel& kernel, StructureId id, const Delaunay2& triangulation,
+NearestSite::NearestSite(Kernel& kernel, StructureId id, DelaunayGraph triangulation,
                          ObjectId query)
     : kernel_(&kernel),
       id_(id),
-      triangulation_(&triangulation),
+      triangulation_(triangulation),
       query_(query),
-      distance_(kernel.bind(make_squared_distance_order(2))),
+      distance_(kernel.bind(make_squared_distance_order(triangulation.dimension()))),
       slots_(kernel, id, "neighbours"),
       events_(kernel, id, kReplace) {}
 
@@ -27,10 +26,10 @@ bool NearestSite::in_front(ObjectId a, ObjectId b) const {
 
 // Goes from a site to neighbours that are nearer. In an exact arithmetic it cannot visit one twice.
 void NearestSite::walk(ObjectId from) {
-  site_ = triangulation_->representative(from);
-  for (std::size_t steps = 0; steps <= triangulation_->objects(); ++steps) {
+  site_ = triangulation_.representative(from);
+  for (std::size_t steps = 0; steps <= triangulation_.objects(); ++steps) {
     const ObjectId here = site_;
-    for (const ObjectId other : triangulation_->neighbours(here)) {
+    for (const ObjectId other : triangulation_.neighbours(here)) {
       if (in_front(other, site_)) site_ = other;
     }
     if (site_ == here) return;
@@ -41,7 +40,7 @@ void NearestSite::walk(ObjectId from) {
 // Certificates for all neighbours of the site, and no others: keeps those that are there.
 void NearestSite::prove() {
   const std::vector<ObjectId> wanted =
-      site_ == kNoObject ? std::vector<ObjectId>{} : triangulation_->neighbours(site_);
+      site_ == kNoObject ? std::vector<ObjectId>{} : triangulation_.neighbours(site_);
   for (auto place = rivals_.begin(); place != rivals_.end();) {
     const bool stays = std::binary_search(wanted.begin(), wanted.end(), place->first) &&
                        slots_.holds(place->second, claim(site_, place->first), place->first);
@@ -72,13 +71,13 @@ void NearestSite::settle_ties() {
 // From the site that was the nearest, if it is still there; else from any.
 void NearestSite::begin() {
   const auto is_there = [this](ObjectId object) {
-    return object != kNoObject && triangulation_->representative(object) != kNoObject;
+    return object != kNoObject && triangulation_.representative(object) != kNoObject;
   };
   ObjectId from = site_;
   if (!is_there(from)) from = 0;
-  while (from < triangulation_->objects() && !is_there(from)) ++from;
+  while (from < triangulation_.objects() && !is_there(from)) ++from;
   site_ = kNoObject;
-  if (asked_ && from < triangulation_->objects()) walk(from);
+  if (asked_ && from < triangulation_.objects()) walk(from);
   prove();
   ties_.clear();  // the walk has put them in order
   events_.begin(site_);
@@ -111,7 +110,7 @@ void NearestSite::certificate_failed(CertificateId failed) {
   prove();
   const ObjectId after = site_;
   settle_ties();
-  events_.repaired(kReplace, {before, after}, site_, triangulation_->id());
+  events_.repaired(kReplace, {before, after}, site_, triangulation_.id());
 }
 
 void NearestSite::motions_changed(std::span<const ObjectId> objects) {
@@ -124,13 +123,13 @@ void NearestSite::motions_changed(std::span<const ObjectId> objects) {
 void NearestSite::watched_changed(const Event* event) {
   if (site_ == kNoObject) return;
   if (event != nullptr) {
-    const auto change = DelaunayGraph(*triangulation_).change(*event);
+    const auto change = triangulation_.change(*event);
     const auto touches = [this](const std::optional<DelaunayEdge>& edge) {
       return edge && ((*edge)[0] == site_ || (*edge)[1] == site_);
     };
     if (change && !touches(change->gone) && !touches(change->came)) return;
   }
-  const ObjectId vertex = triangulation_->representative(site_);
+  const ObjectId vertex = triangulation_.representative(site_);
   if (vertex == kNoObject) return begin();  // it has been erased
   site_ = vertex;
   prove();
@@ -183,9 +182,9 @@ void NearestSite::check_invariants(AuditReport& report) const {
                  [] { return "a tie in the wrong order"; });
   }
   const bool there = site_ != kNoObject;
-  report.check(rivals == (there ? triangulation_->neighbours(site_) : std::vector<ObjectId>{}),
+  report.check(rivals == (there ? triangulation_.neighbours(site_) : std::vector<ObjectId>{}),
                [] { return "other neighbours than in the triangulation"; });
-  report.check(!there || triangulation_->representative(site_) == site_,
+  report.check(!there || triangulation_.representative(site_) == site_,
                [] { return "the nearest site is no vertex"; });
   report.check(site_ == events_.object(), [] { return "a change was not reported"; });
 }

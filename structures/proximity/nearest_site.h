@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // NearestSite: the site that is nearest to a moving query point. Sites are the other points.
 //
-// Certificates. It watches the Delaunay triangulation of the sites (delaunay_2) and keeps one
-// certificate for each neighbour r of the nearest site s: "s is at most as far from the query q as
-// r", degree 2d for motions of degree d.
+// Certificates. It watches the Delaunay triangulation of the sites (delaunay_2, in space delaunay_3)
+// and keeps one certificate for each neighbour r of the nearest site s: "s is at most as far from the
+// query q as r", degree 2d for motions of degree d.
 //
 //            r1____r2
 //            / \  / \         q is in the Voronoi cell of s iff no Delaunay neighbour of s is
@@ -11,15 +11,16 @@
 //            \ / q\ /         and r2 is the nearest site: its neighbours are compared from then on.
 //            r5----r4
 //
-// Quality, for n sites: as many certificates as s has neighbours, at most n - 1 and fewer than 6 on
-// average over the sites; the query is in all of them. A failure makes the certificates of another
-// star; a flip renews at most two. Strongly efficient: each failure changes the nearest site, save
-// those of one instant. External events: those of minimum_tournament by the squared distance to q,
+// Quality, for n sites: as many certificates as s has neighbours, at most n - 1, and in the plane fewer
+// than 6 on average over the sites; the query is in all of them. A failure makes the certificates of
+// another star; a flip renews at most two. Where all sites are in one plane in space, every other site
+// counts as a neighbour. Strongly efficient: each failure changes the nearest site, save those of one
+// instant. External events: those of minimum_tournament by the squared distance to q,
 // at most lambda_2d(n) - 1 without flight-plan changes: 2n - 2 for linear motion. An insertion or
 // erasure walks to the nearest site, to ever smaller distances.
 //
-// Ties. Of sites at identically equal distances the smallest id. Those sites lie on an empty
-// circle, or are equal: the smallest is a neighbour of the others, or their vertex.
+// Ties. Of sites at identically equal distances the smallest id. Those sites lie on an empty circle or
+// sphere, or are equal: the smallest is a neighbour of the others, or their vertex.
 //
 // Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7.
 #ifndef KINEX_STRUCTURES_PROXIMITY_NEAREST_SITE_H
@@ -35,7 +36,7 @@
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/slots.h"
 #include "structures/parts/ties.h"
-#include "structures/triangulation/delaunay_2.h"
+#include "structures/proximity/delaunay_edges.h"
 
 namespace kinex {
 
@@ -46,7 +47,7 @@ class NearestSite final : public Structure {
   enum Kind : std::uint8_t { kReplace, kTie };
 
   // `triangulation`, of the sites, outlives this structure and is watched by it.
-  NearestSite(Kernel& kernel, StructureId id, const Delaunay2& triangulation, ObjectId query);
+  NearestSite(Kernel& kernel, StructureId id, DelaunayGraph triangulation, ObjectId query);
 
   std::string_view name() const override { return "nearest_site"; }
   std::vector<std::string_view> event_kinds() const override {
@@ -60,7 +61,7 @@ class NearestSite final : public Structure {
   void motions_changed(std::span<const ObjectId> objects) override;
   // The triangulation may have changes that it has not reported yet.
   void instant_settled() override {
-    if (kernel_->instant_is_shared(triangulation_->id())) watched_changed(nullptr);
+    if (kernel_->instant_is_shared(triangulation_.id())) watched_changed(nullptr);
   }
   void instant_over() override { events_.over(site_); }
   void watched_changed(const Event* event) override;
@@ -84,7 +85,7 @@ class NearestSite final : public Structure {
 
   Kernel* kernel_;
   StructureId id_;
-  const Delaunay2* triangulation_;
+  DelaunayGraph triangulation_;
   ObjectId query_;
   PredicateId distance_;
   Slots slots_;

@@ -10,7 +10,7 @@ void NearestSite::audit(const Snapshot& snapshot, AuditReport& report) const {
   for (ObjectId site = 0; site < snapshot.objects(); ++site) {
     if (site == query_ || !snapshot.alive(site) || !snapshot.alive(query_)) continue;
     Rational squared;
-    for (int axis = 0; axis < 2; ++axis) {
+    for (int axis = 0; axis < triangulation_.dimension(); ++axis) {
       const Rational gap = snapshot.position(site, axis) - snapshot.position(query_, axis);
       squared += gap * gap;
     }

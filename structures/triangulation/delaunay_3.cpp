@@ -99,6 +99,25 @@ std::vector<std::array<ObjectId, 2>> Delaunay3::edges() const {
   return result;
 }
 
+std::vector<ObjectId> Delaunay3::neighbours(ObjectId vertex) const {
+  std::vector<ObjectId> result;
+  if (flat_) {
+    for (ObjectId other = 0; other < objects(); ++other) {
+      if (other != vertex && points_.is_vertex(other)) result.push_back(other);
+    }
+    return result;
+  }
+  std::vector<Cell> cells;
+  store_.star(vertex, cells);
+  for (const Cell c : cells) {
+    for (const ObjectId other : store_.quad(c)) {
+      if (other != vertex && other != store_.infinity()) result.push_back(other);
+    }
+  }
+  sort_unique(result);
+  return result;
+}
+
 std::size_t Delaunay3::bytes() const {
   return sizeof(*this) + common_bytes() + points_.bytes() +
          hidden_in_patch_.capacity() * sizeof(hidden_in_patch_[0]);

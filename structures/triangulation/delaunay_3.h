@@ -95,6 +95,8 @@ class Delaunay3 final : public SpaceFlips<SewnTriangulation<RegularGeometry<Spac
   // The edges, smaller id first, ascending; if it is flat all pairs of vertices, which contain every
   // edge that a triangulation of the plane could have.
   std::vector<std::array<ObjectId, 2>> edges() const;
+  // The other ends of the edges at a vertex, ascending. O(k log k) for k of them.
+  std::vector<ObjectId> neighbours(ObjectId vertex) const;
 
  private:
   using Quad = Triangulation3::Quad;

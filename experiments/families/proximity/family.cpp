@@ -91,6 +91,14 @@ lab::FamilyExperiments proximity_experiments() {
                             {8, 16},
                             {{8, 16, 32}, {8, 16, 32, 64, 128}}});
   }
+  family.trade.push_back({"nearest_site",
+                          3,
+                          {10, 20},
+                          "small-integers",
+                          {8, 12},
+                          {8, 27},
+                          {8, 16},
+                          {{8, 12}, {8, 12, 16, 24}}});
   for (const std::string_view tree :
        {"graph_mst_list", "graph_mst_cycles", "graph_mst_clusters", "graph_mst_sparsified"}) {
     family.trade.push_back({tree,

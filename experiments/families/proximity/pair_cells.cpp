@@ -32,7 +32,8 @@ void add_counted(lab::Catalogue& catalogue, lab::Cell cell, std::string claim, i
 struct Counted {
   int n, dimension;
   std::uint64_t seed;
-  int pair, colours, nearest, cell;  // of the first object; -1: not in the plane
+  int pair, colours, nearest;  // of the first object
+  int cell;                    // likewise; -1: not in the plane
 };
 
 void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
@@ -40,9 +41,9 @@ void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
                              {8, 2, 1, 5, 3, 2, 4 + 4},
                              {10, 2, 2, 8, 6, 4, 9 + 9},
                              {12, 2, 3, 7, 5, 3, 6 + 5},
-                             {6, 3, 1, 4, 3, -1, -1},
-                             {7, 3, 2, 7, 5, -1, -1},
-                             {8, 3, 1, 5, 4, -1, -1}}) {
+                             {6, 3, 1, 4, 3, 1, -1},
+                             {7, 3, 2, 7, 5, 3, -1},
+                             {8, 3, 1, 5, 4, 1, -1}}) {
     const auto add = [&](const char* structure, const char* claim, int count) {
       lab::Cell cell = lab::worst_case_cell(structure, "small-integers", one.n, 1, 0.1);
       cell.parameters.seed = one.seed;
@@ -51,13 +52,13 @@ void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
     };
     add("closest_pair_all", "closest_pair.small_integers", one.pair);
     add("bichromatic_pair_all", "bichromatic_pair.small_integers", one.colours);
+    add("nearest_site", "nearest_site.small_integers", one.nearest);
     if (one.dimension != 2) continue;
     for (const char* structure : {"closest_pair_range_tree", "closest_pair_cones",
                                   "closest_pair_local", "closest_pair_bins"}) {
       add(structure, "closest_pair.small_integers", one.pair);
     }
     add("bichromatic_pair_delaunay", "bichromatic_pair.small_integers", one.colours);
-    add("nearest_site", "nearest_site.small_integers", one.nearest);
     add("voronoi_cell_2", "voronoi_cell.small_integers", one.cell);
   }
 }
@@ -87,6 +88,13 @@ void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent) {
       cell.cost = all_pairs ? n / 20.0 : n / 100.0;
       catalogue.cells.push_back(std::move(cell));
     }
+  }
+  for (const int n : {16, 64}) {
+    lab::Cell cell = uniform_cell("nearest_site", n, 3);
+    cell.family = "uniform, 3 axes";
+    cell.precise = {{"external", kChangesError}};
+    cell.cost = n / 40.0;
+    catalogue.cells.push_back(std::move(cell));
   }
 }
 

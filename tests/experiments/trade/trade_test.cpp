@@ -224,9 +224,11 @@ TEST(TradeCatalogue, HoldsSixScenesOfEveryPlan) {
   for (const lab::Extent extent : {lab::Extent::kQuick, lab::Extent::kFull}) {
     const trade::TradeCatalogue all = trade::make_trade_catalogue({}, extent);
     EXPECT_EQ(all.cases.size(), cases);
-    std::set<std::string> structures;
+    std::set<std::string> structures, names;
     for (const trade::TradeCase& one : all.cases) {
       structures.insert(one.structure);
+      EXPECT_TRUE(names.insert(one.structure + ", " + one.name).second)
+          << one.structure << ", " << one.name << " is there twice";
       EXPECT_EQ(one.scene().maintain.size(), 1u);
     }
     EXPECT_EQ(structures, planned);

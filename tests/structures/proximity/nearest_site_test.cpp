@@ -26,44 +26,55 @@ std::vector<Request> nearest_to(ObjectId query) {
 }
 
 TEST(NearestSite, ReferenceCounts) {
-  const std::pair<int, std::uint64_t> scenes[] = {{6, 1}, {8, 1}, {10, 2}, {12, 3}};
-  const std::uint64_t changes[] = {1, 2, 4, 3};
-  for (std::size_t i = 0; i < 4; ++i) {
-    SCOPED_TRACE(scenes[i].first);
-    const Scene scene = reference_scene(scenes[i].first, 2, scenes[i].second);
+  struct Row {
+    int n, dimension;
+    std::uint64_t seed, changes;
+  };
+  for (const Row& row : {Row{6, 2, 1, 1}, Row{8, 2, 1, 2}, Row{10, 2, 2, 4}, Row{12, 2, 3, 3},
+                         Row{6, 3, 1, 1}, Row{7, 3, 2, 3}, Row{8, 3, 1, 1}}) {
+    SCOPED_TRACE(std::to_string(row.n) + " in " + std::to_string(row.dimension) + " axes");
+    const Scene scene = reference_scene(row.n, row.dimension, row.seed);
     const TwinRun run(scene, nearest_to(0)), twin(scene, nearest_to(0), "sturm");
-    EXPECT_EQ(run.ledger().external, changes[i]);
-    EXPECT_EQ(run.ledger().failures, changes[i]);  // no failure is in vain
+    EXPECT_EQ(run.simulator.structure(0).name(), row.dimension == 2 ? "delaunay_2" : "delaunay_3");
+    EXPECT_EQ(run.ledger().external, row.changes);
+    EXPECT_EQ(run.ledger().failures, row.changes);  // no failure is in vain
     EXPECT_EQ(run.sink.log.lines, twin.sink.log.lines);
   }
 }
 
-void on_lattices(std::uint64_t seeds) {
+void on_lattices(std::uint64_t seeds, int dimension) {
   std::uint64_t external = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     SCOPED_TRACE(seed);
     const int n = 5 + static_cast<int>(seed % 5);
-    const TwinRun run(lattice_scene(seed, n, 2), nearest_to(static_cast<ObjectId>(seed % 3)));
+    const TwinRun run(lattice_scene(seed, n, dimension),
+                      nearest_to(static_cast<ObjectId>(seed % 3)));
     external += run.ledger().external;
     if (testing::Test::HasFailure()) return;
   }
   EXPECT_GT(external, seeds / 2);
 }
 
-TEST(NearestSite, TinyLattices) { on_lattices(120); }
+TEST(NearestSite, TinyLattices) { on_lattices(120, 2); }
+TEST(NearestSite, TinyLatticesInSpace) { on_lattices(24, 3); }
 
-TEST(SlowNearestSite, TinyLattices) { on_lattices(2000); }
+TEST(SlowNearestSite, TinyLattices) {
+  on_lattices(2000, 2);
+  on_lattices(400, 3);
+}
 
 // The query stays; sites come, go and change their motions.
 TEST(NearestSite, RandomFlights) {
   std::uint64_t external = 0, updates = 0;
-  for (const int degree : {1, 2, 3}) {
+  for (const auto& [degree, dimension] : {std::pair{1, 2}, {2, 2}, {3, 2}, {1, 3}, {2, 3}}) {
     for (std::uint64_t seed = 1; seed <= (degree == 1 ? 10u : 4u); ++seed) {
-      SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
-      Scene scene = random_flights(seed, 9, 2, degree, seed % 2 == 0);
+      SCOPED_TRACE("degree " + std::to_string(degree) + ", " + std::to_string(dimension) +
+                   " axes, seed " + std::to_string(seed));
+      Scene scene = random_flights(seed, 9, dimension, degree, seed % 2 == 0);
       scene.objects[4].motion = {};
-      scene.objects[4].motion.pieces.push_back(
-          {std::nullopt, std::nullopt, path({{-3, 4}, {1, 2, -1}})});
+      Trajectory query = path({{-3, 4}, {1, 2, -1}});
+      if (dimension == 3) query = path({{-3, 4}, {1, 2, -1}, {2, -1}});
+      scene.objects[4].motion.pieces.push_back({std::nullopt, std::nullopt, query});
       const TwinRun run(scene, nearest_to(4)), twin(scene, nearest_to(4), "sturm");
       EXPECT_EQ(run.sink.log.lines, twin.sink.log.lines);
       external += run.ledger().external;
@@ -76,9 +87,9 @@ TEST(NearestSite, RandomFlights) {
 
 // The query comes, goes and jumps; there is no tournament for that.
 TEST(NearestSite, TheQueryComesAndGoes) {
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 14; ++seed) {
     SCOPED_TRACE(seed);
-    Scene scene = random_flights(seed, 8, 2, 1, true);
+    Scene scene = random_flights(seed, 8, seed <= 12 ? 2 : 3, 1, true);
     for (ObjectId query = 0; query < 8; ++query) {
       Request request = ask("nearest_site");
       request.query = query == 0 ? kNoObject : query;
@@ -125,6 +136,47 @@ TEST(NearestSite, Ties) {
   const TwinRun parting(scene, nearest_to(0));
   EXPECT_EQ(parting.attribute(), Ids{1});
   EXPECT_GT(parting.ledger().external, 0u);
+}
+
+// In space: the centre of a sphere of eight sites; and sites of one plane, on a circle or not.
+TEST(NearestSite, TiesInSpace) {
+  std::vector<Trajectory> t{path({{0, 1}, {0, 2}, {0, -1}})};
+  for (int corner = 0; corner < 8; ++corner) {
+    t.push_back(
+        path({{corner & 1 ? 1 : -1, 1}, {corner & 2 ? 1 : -1, 2}, {corner & 4 ? 1 : -1, -1}}));
+  }
+  Scene scene = scene_of(t, 0, Rational(5));
+  EXPECT_EQ(TwinRun(scene, nearest_to(0)).attribute(), Ids{1});
+  // Each goes away when the next one has become the smallest, the last one stays.
+  for (ObjectId site = 1; site < 8; ++site) {
+    auto& pieces = scene.objects[site].motion.pieces;
+    pieces[0].to = Rational(site, 2);
+    Trajectory away = pieces[0].trajectory;
+    away.coordinates[0][0] *= Rational(100);
+    pieces.push_back({Rational(site, 2), std::nullopt, away});
+  }
+  scene.jumps = true;
+  const TwinRun parting(scene, nearest_to(0));
+  EXPECT_EQ(parting.attribute(), Ids{8});
+}
+
+TEST(NearestSite, SitesOfOnePlaneInSpace) {
+  std::uint64_t external = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    Scene scene = lattice_scene(seed, 7, 2);
+    scene.dimension = 3;
+    for (SceneObject& object : scene.objects) {
+      auto& axes = object.motion.pieces[0].trajectory.coordinates;
+      axes.push_back(axes[0]);
+    }
+    // The query crosses the plane.
+    auto& height = scene.objects[3].motion.pieces[0].trajectory.coordinates[2];
+    height[0] += Rational(1);
+    height[1] += Rational(2);
+    external += TwinRun(scene, nearest_to(3)).ledger().external;
+  }
+  EXPECT_GT(external, 6u);
 }
 
 TEST(NearestSite, ExtremeNumbers) {
