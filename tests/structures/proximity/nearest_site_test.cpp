@@ -67,7 +67,7 @@ TEST(SlowNearestSite, TinyLattices) {
 TEST(NearestSite, RandomFlights) {
   std::uint64_t external = 0, updates = 0;
   for (const auto& [degree, dimension] : {std::pair{1, 2}, {2, 2}, {3, 2}, {1, 3}, {2, 3}}) {
-    const std::uint64_t seeds = dimension == 3 ? 2 : degree == 1 ? 10 : 4;
+    const std::uint64_t seeds = dimension == 3 ? (degree == 1 ? 2 : 1) : degree == 1 ? 10 : 4;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", " + std::to_string(dimension) +
                    " axes, seed " + std::to_string(seed));
