@@ -82,6 +82,8 @@ constexpr Arity kArities[] = {
     {"line_side", 2},
     {"line_under", 2},
     {"line_order", 3},
+    {"order_line_height", 4},
+    {"order_line_distance", 4},
     // of rigid polygons
     {"discs_apart", 3},
     {"discs_overlap", 3},

@@ -10,13 +10,14 @@
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/log_rules.h"
 #include "experiments/formats/log_scene.h"
-#include "predicates/points/space_predicates.h"
 #include "predicates/points/edge_predicates.h"
 #include "predicates/points/extent_predicates.h"
 #include "predicates/points/gap_predicates.h"
-#include "predicates/points/power_predicates.h"
+#include "predicates/points/line_distance_order.h"
 #include "predicates/points/line_predicates.h"
+#include "predicates/points/power_predicates.h"
 #include "predicates/points/shared_arguments.h"
+#include "predicates/points/space_predicates.h"
 #include "predicates/predicates.h"
 #include "structures/plan.h"
 #include "structures/registry.h"
@@ -302,6 +303,8 @@ std::shared_ptr<const Predicate> LogSceneCheck::make_predicate(const std::string
   if (name == "line_side") return make_line_side();
   if (name == "line_under") return make_line_under();
   if (name == "line_order") return make_line_order();
+  if (name == "order_line_height") return make_line_distance_order(LineMeasure::kHeight);
+  if (name == "order_line_distance") return make_line_distance_order(LineMeasure::kDistance);
   if (name == "order_pair_distance") return make_pair_distance_order(scene_.dimension);
   if (name == "order_squared_distance") return make_squared_distance_order(scene_.dimension);
   // Whether the structure has a key or not.

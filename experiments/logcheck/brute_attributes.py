@@ -3,7 +3,7 @@
 
 from fractions import Fraction
 from functools import cmp_to_key
-from itertools import combinations
+from itertools import combinations, product
 
 from brute_flush import ORDERS, smallest_flush
 from families import TWO_COLOURS
@@ -13,6 +13,7 @@ from replay_boxes import boxes
 from replay_calipers import folds_of
 from replay_discs import closest_discs
 from replay_directions import all_directions, half_directions, k_of, opposite
+from replay_lines import measure_of
 from replay_norms import MOST_MEMBERS, norm_tree_of
 from replay_octants import corners_of
 from space import cells_of, regular_of
@@ -228,6 +229,17 @@ def closest_of(pairs, positions):
     return [min(pairs, key=lambda pair: squared_distance(positions, pair))] if pairs else []
 
 
+def closest_to_line(measure, positions, scene):
+    """The line and the point at the smallest distance; of several the smallest pair."""
+    found = []
+    for line, point in product(positions, repeat=2):
+        if scene.objects[line].line and not scene.objects[point].line:
+            (a, b), (x, y) = positions[line], positions[point]
+            square = Fraction((y - a * x - b) ** 2) / (1 if measure == "height" else 1 + a * a)
+            found.append((square, tuple(sorted((line, point)))))
+    return [min(found)[1]] if found else []
+
+
 def tree_of(positions):
     """Kruskal's algorithm; of equal lengths the smaller pair comes first."""
     pairs = sorted(combinations(sorted(positions), 2), key=lambda pair: (squared_distance(positions, pair), pair))
@@ -388,6 +400,8 @@ def attribute_of(structure, key, positions, scene):
         return lightest_of(positions, scene)
     if name.startswith("incidences_"):
         return points_above(positions, scene)
+    if name.startswith("closest_point_line"):
+        return closest_to_line(measure_of(name), positions, scene)
     if name == "line_arrangement_2":
         return orders_of(positions, scene)
     if name == "points_in_arrangement":

@@ -13,7 +13,7 @@ from replay_boxes import box_order, boxes
 from replay_calipers import folds_of
 from replay_discs import GAP_TERMS, gap_query
 from replay_directions import extent_query, half_directions, k_of, opposite
-from replay_lines import lines_and_points
+from replay_lines import line_query, lines_and_points, measure_of
 from replay_norms import MOST_MEMBERS, norm_queries
 from replay_octants import corners_of
 from subsets import query_of
@@ -51,6 +51,11 @@ def queries_of(structure, key, members, period):
         for front, back in combinations(pairs, 2):
             for term in GAP_TERMS:
                 yield gap_query(term, front, back)
+        return
+    if name.startswith("closest_point_line"):
+        lines, points = lines_and_points(members, scene)
+        for front, back in combinations(product(lines, points), 2):
+            yield line_query(measure_of(name), front, back)
         return
     if name.startswith("incidences_") or name == "points_in_arrangement":
         lines, points = lines_and_points(members, scene)

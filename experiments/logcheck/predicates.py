@@ -331,8 +331,30 @@ def line_order(points):
     return add(multiply(subtract(c, a), x), multiply(subtract(d, b), unit))
 
 
+def order_line_height(points):
+    """The first point is no farther above or below the first line than the second point is from the second line; the
+    fifth argument is the unit."""
+    l, p, m, q, unit = points
+    near, far = line_side((l, p, unit)), line_side((m, q, unit))
+    return subtract(multiply(far, far), multiply(near, near))
+
+
+def order_line_distance(points):
+    """The same, at right angles to the lines."""
+    l, p, m, q, unit = points
+    near, far = line_side((l, p, unit)), line_side((m, q, unit))
+    one = multiply(unit, unit)
+    return subtract(multiply(multiply(far, far), add(one, multiply(l[0], l[0]))),
+                    multiply(multiply(near, near), add(one, multiply(m[0], m[0]))))
+
+
 # Formulas that are not homogeneous: behind the arguments they get the common denominator.
-NEED_UNIT = (line_side, line_under, line_order)
+NEED_UNIT = ("line_side", "line_under", "line_order", "order_line_height", "order_line_distance")
+
+
+def needs_unit(predicate):
+    return isinstance(predicate, str) and predicate.partition("/")[0] in NEED_UNIT
+
 
 FORMULAS = {
     "power_2": (power_2, 4, 4),
@@ -343,6 +365,8 @@ FORMULAS = {
     "line_side": (line_side, 2, 1),
     "line_under": (line_under, 2, 1),
     "line_order": (line_order, 3, 2),
+    "order_line_height": (order_line_height, 4, 1),
+    "order_line_distance": (order_line_distance, 4, 1),
     "disc_overlap": (disc_overlap, 2, 1),
     "disc_apart": (disc_apart, 2, 1),
     **gap_terms(),
@@ -370,6 +394,7 @@ BOX_ORDERS = {"order_box_area": "area", "order_box_perimeter": "perimeter"}
 LEAST_AXES = {"order_y": 2, "order_z": 3, "orientation_2": 2, "slope_order_2": 2, "in_circle_2": 2, "power_2": 2, "disc_power_2": 2,
               "orientation_3": 3, "in_sphere_3": 3, "power_3": 3, "disc_power_3": 3, "unfolded_3": 3,
               "acute_angle_2": 2, "obtuse_angle_2": 2, "line_side": 2, "line_under": 2, "line_order": 2,
+              "order_line_height": 2, "order_line_distance": 2,
               **{name: axis + 1 for axis in (1, 2) for name in end_orders(axis)}}
 
 
@@ -420,8 +445,8 @@ def formula_of(predicate):
     if "/" in predicate:
         # Of fewer objects: digit i says which of them is argument i.
         whole, pattern = predicate.split("/")
-        value = FORMULAS[whole][0]
-        return lambda points: value([points[int(i)] for i in pattern]), int(max(pattern)) + 1, 1
+        value, arity = FORMULAS[whole][0], int(max(pattern)) + 1
+        return lambda points: value([points[int(i)] for i in pattern] + points[arity:]), arity, 1
     return FORMULAS[predicate]
 
 

@@ -13,7 +13,7 @@ from replay_grid import ClosestPairOfCells, DiscsOfCells
 from replay_heaps import Hanger, Heap, Tournament
 from replay_hull import HullBruteForce, HullOfDelaunay
 from replay_kd import PseudoKdTree, RankKdTree
-from replay_lines import ArrangementOfLines, PointsAboveLines, PointsOfCells
+from replay_lines import ArrangementOfLines, ClosestPointLine, PointsAboveLines, PointsOfCells
 from replay_list import SortedList
 from replay_locations import LinesNextToPoints
 from replay_maximum import Maximum, OfList
@@ -44,6 +44,7 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": Dela
             "emst_list": SpanningTree, "emst_cycles": SpanningTree, "emst_clusters": SpanningTree,
             "box_pairs": BoxesThatMeet, "disc_pairs_all": DiscsThatMeet, "disc_pairs_boxes": DiscsThatMeet,
             "disc_pairs_grid": DiscsOfCells,
+            "closest_point_line": ClosestPointLine, "closest_point_line_vertical": ClosestPointLine,
             "incidences_all": PointsAboveLines, "incidences_cutting": PointsOfCells, "line_arrangement_2": ArrangementOfLines,
             "points_in_arrangement": LinesNextToPoints, "trapezoids_2": WallsOfLines,
             "graph_mst_list": GraphTree, "graph_mst_cycles": GraphTree,

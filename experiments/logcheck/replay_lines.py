@@ -6,7 +6,7 @@ from functools import cmp_to_key
 from itertools import combinations
 
 from replay_pairs import BoxesThatMeet
-from replay_scratch import Scratch
+from replay_scratch import ClosestPair, Scratch
 
 
 def lines_and_points(members, scene):
@@ -43,6 +43,34 @@ class PointsOfCells(PointsAboveLines):
         self.require(not self.events, "%s: a failure after the changes that it leads to", r.short())
         if self.query(r) is not None:
             self.require(r.ids[0] in self.query(r)[1], "%s is not a failure of its object", r.short())
+
+
+def line_query(measure, front, back):
+    """The claim that the first pair, of a line and a point, is at most as far apart as the second, as logs write it."""
+    objects = list(dict.fromkeys((*front, *back)))
+    places = "".join(str(objects.index(o)) for o in (*front, *back))
+    name = "order_line_" + measure
+    return (name if len(objects) == 4 else f"{name}/{places}", tuple(objects))
+
+
+def measure_of(name):
+    return "height" if name.endswith("_vertical") else "distance"
+
+
+class ClosestPointLine(ClosestPair):
+    """The line and the point that are closest to each other; of equally distant ones the smallest."""
+
+    def __init__(self, checker, structure):
+        super().__init__(checker, structure)
+        self.measure = measure_of(structure.name)
+
+    def pairs(self):
+        lines, points = lines_and_points(self.members, self.world.scene)
+        return sorted((min(line, point), max(line, point)) for line in lines for point in points)
+
+    def claim(self, front, back):
+        objects = self.world.scene.objects
+        return line_query(self.measure, *(p if objects[p[0]].line else p[::-1] for p in (front, back)))
 
 
 class Signs:

@@ -4,7 +4,7 @@
 from math import lcm
 
 from polynomials import negated, primitive, scaled
-from predicates import NEED_UNIT, formula_of, normal_form
+from predicates import formula_of, needs_unit, normal_form
 from roots import SignChanges, compare, window_of
 from scene import Extended
 
@@ -31,7 +31,7 @@ class World:
         points = [[scaled(axis, common // p.denominator) for axis in p.polynomials] for p in pieces]
         if self.scene.extents == "weight":  # has the units of a square
             points = [p[:-1] + [scaled(p[-1], common)] for p in points]
-        if formula_of(predicate)[0] in NEED_UNIT:
+        if needs_unit(predicate):
             points.append((common,))
         if self.scene.extents:
             points = [Extended(p, self.scene.dimension) for p in points]

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "structures/arrangement/closest_point_line.h"
 #include "structures/arrangement/incidences_all.h"
 #include "structures/arrangement/incidences_cutting.h"
 #include "structures/arrangement/line_arrangement_2.h"
@@ -148,12 +149,38 @@ StructureInfo trapezoids() {
   return info;
 }
 
+template <LineMeasure kMeasure>
+std::unique_ptr<Structure> make_closest(const MakerInput& in) {
+  return std::make_unique<ClosestPointLine>(in.kernel, in.id, in.scene, kMeasure);
+}
+
+StructureInfo closest_of(LineMeasure measure) {
+  const bool vertical = measure == LineMeasure::kHeight;
+  StructureInfo info;
+  info.name = vertical ? "closest_point_line_vertical" : "closest_point_line";
+  info.summary = vertical
+                     ? "the line and the point at the smallest vertical distance, among all pairs"
+                     : "the line and the point that are closest to each other, among all pairs";
+  info.min_dimension = 2;
+  info.shape = Attribute::Shape::kTuples;
+  info.lines = LineUse::kWithPoints;
+  info.kinds = {
+      {"replace", Effect::kSometimes, "another pair wins a duel"},
+      {"tie", Effect::kNever, "another pair wins a duel: the distances are identically equal"}};
+  info.certificates =
+      "nm - 1 for n lines and m points, one for each match in the tournament of all pairs";
+  info.ties = "of pairs at identically equal distances the lexicographically smallest one";
+  info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
+  info.make = vertical ? make_closest<LineMeasure::kHeight> : make_closest<LineMeasure::kDistance>;
+  return info;
+}
+
 }  // namespace
 
 StructureFamily arrangement_family() {
   return {"arrangement",
           {incidences(), incidences_by_cutting(), arrangement_of_lines(), places_of_points(),
-           trapezoids()}};
+           trapezoids(), closest_of(LineMeasure::kDistance), closest_of(LineMeasure::kHeight)}};
 }
 
 }  // namespace kinex

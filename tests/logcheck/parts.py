@@ -204,7 +204,7 @@ class Formulas(unittest.TestCase):
     def value(self, name, *points):
         """The fourth number of a point and those after it are the extents there."""
         formula = predicates.formula_of(name)[0]
-        on_lines = formula in predicates.NEED_UNIT  # in the plane, and with the unit as last argument
+        on_lines = predicates.needs_unit(name)  # in the plane, and with the unit as last argument
         axes = 2 if on_lines else 3
         values = [Extended([(c,) if c else () for c in point], axes) for point in points]
         p = formula(values + [(1,)] if on_lines else values)
@@ -215,6 +215,11 @@ class Formulas(unittest.TestCase):
         self.assertLess(self.value("line_side", (2, 1), (3, 6)), 0)
         self.assertEqual(self.value("line_side", (2, 1), (3, 7)), 0)
         self.assertLess(self.value("line_under", (2, 1), (3, 8)), 0)
+        self.assertLess(self.value("order_line_height", (1, 0), (0, 5), (0, 0), (0, -4)), 0)  # 5 and 4
+        self.assertGreater(self.value("order_line_distance", (1, 0), (0, 5), (0, 0), (0, -4)), 0)  # sqrt(25/2) and 4
+        self.assertEqual(self.value("order_line_distance", (7, 2), (1, 19), (1, 3), (4, 5)), 0)
+        self.assertEqual(self.value("order_line_height/0101", (1, 0), (0, 5)), 0)
+        self.assertGreater(self.value("order_line_distance/0102", (1, 0), (0, 5), (0, 6)), 0)
         self.assertGreater(self.value("order_x", (0, 5), (1, 0)), 0)
         self.assertLess(self.value("order_y", (0, 5), (1, 0)), 0)
         self.assertGreater(self.value(("order_direction", (Fraction(1, 2), Fraction(-1))), (0, 0), (0, -1)), 0)

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Signs of predicates that are known by hand, and their identities.
-#include "predicates/predicates.h"
 #include "predicates/points/box_order.h"
 #include "predicates/points/edge_predicates.h"
 #include "predicates/points/extent_predicates.h"
 #include "predicates/points/gap_predicates.h"
+#include "predicates/points/line_distance_order.h"
 #include "predicates/points/line_predicates.h"
 #include "predicates/points/power_predicates.h"
 #include "predicates/points/shared_arguments.h"
 #include "predicates/points/space_predicates.h"
+#include "predicates/predicates.h"
 #include "tests/predicates/ring_motions.h"
 
 #include <gtest/gtest.h>
@@ -221,6 +222,22 @@ TEST_F(KnownSigns, Lines) {
   EXPECT_EQ(sign(make_line_order(), {{2, -1}, {1, 3}, {3, 9}}), 1);
   EXPECT_EQ(sign(make_line_order(), {{2, -1}, {1, 2}, {3, -9}}), 0);
   EXPECT_EQ(sign(make_line_order(), {{2, -1}, {1, 1}, {3, 0}}), -1);
+}
+
+// Heights over lines, and distances from them.
+TEST_F(KnownSigns, DistancesFromLines) {
+  const auto height = make_line_distance_order(LineMeasure::kHeight);
+  const auto distance = make_line_distance_order(LineMeasure::kDistance);
+  // y = x: (0, 6) is 6 above it, at a distance of sqrt(18); (0, -4) is 4 below y = 0, and 4 away.
+  EXPECT_EQ(sign(height, {{1, 0}, {0, 6}, {0, 0}, {0, -4}}), -1);
+  EXPECT_EQ(sign(distance, {{1, 0}, {0, 6}, {0, 0}, {0, -4}}), -1);
+  EXPECT_EQ(sign(height, {{1, 0}, {0, 5}, {0, 0}, {0, -4}}), -1);
+  EXPECT_EQ(sign(distance, {{1, 0}, {0, 5}, {0, 0}, {0, -4}}), 1);  // sqrt(25/2) < 4
+  EXPECT_EQ(sign(height, {{1, 0}, {0, -4}, {0, 0}, {0, 4}}), 0);
+  // Slope 7: 10 high is sqrt(2) away, as 2 over y = x + 3.
+  EXPECT_EQ(sign(distance, {{7, 2}, {1, 19}, {1, 3}, {4, 5}}), 0);
+  EXPECT_EQ(sign(distance, {{1, 3}, {4, 5}, {7, 2}, {1, 20}}), 1);
+  EXPECT_EQ(sign(distance, {{7, 2}, {1, 20}, {1, 3}, {4, 5}}), -1);
 }
 
 // Centre and radius; centre and half extents.

@@ -5,6 +5,7 @@
 #include "predicates/points/edge_predicates.h"
 #include "predicates/points/extent_predicates.h"
 #include "predicates/points/gap_predicates.h"
+#include "predicates/points/line_distance_order.h"
 #include "predicates/points/line_predicates.h"
 #include "predicates/points/power_predicates.h"
 #include "predicates/points/shared_arguments.h"
@@ -89,6 +90,9 @@ std::vector<Named> all_predicates() {
           {"line_side", make_line_side()},
           {"line_under", make_line_under()},
           {"line_order", make_line_order()},
+          {"line_height_order", make_line_distance_order(LineMeasure::kHeight)},
+          {"line_distance_order", make_line_distance_order(LineMeasure::kDistance)},
+          {"line_distance_shared", shared(make_line_distance_order(LineMeasure::kDistance), {0, 1, 2, 1})},
           {"box_area", make_box_order(BoxMeasure::kArea, {Rational(1), Rational(0)},
                                       {*Rational::parse("3/5"), *Rational::parse("4/5")},
                                       SmallerBox::kFirst)},

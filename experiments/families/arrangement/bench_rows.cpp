@@ -12,7 +12,11 @@ std::vector<lab::BenchRow> arrangement_bench_rows(int scale) {
       lab::speed_row("line_arrangement_2", "random-lines", 1, lab::scaled_size(48, scale)),
       lab::speed_row("points_in_arrangement", "random-lines-and-points", 1,
                      lab::scaled_size(64, scale)),
-      lab::speed_row("trapezoids_2", "random-lines", 1, lab::scaled_size(24, scale))};
+      lab::speed_row("trapezoids_2", "random-lines", 1, lab::scaled_size(24, scale)),
+      lab::speed_row("closest_point_line", "random-lines-and-points", 1,
+                     lab::scaled_size(64, scale)),
+      lab::speed_row("closest_point_line_vertical", "random-lines-and-points", 1,
+                     lab::scaled_size(64, scale))};
 }
 
 }  // namespace kinex::families

@@ -155,6 +155,37 @@ void add_wall_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   }
 }
 
+void add_closest_cells(lab::Catalogue& catalogue, lab::Extent extent) {
+  struct Sizes {
+    int n, m;
+  };
+  struct Counted {
+    int n;
+    std::uint64_t seed;
+    int euclidean, vertical;
+  };
+  for (const bool vertical : {false, true}) {
+    const char* const name = vertical ? "closest_point_line_vertical" : "closest_point_line";
+    for (const auto& [n, m] : {Sizes{2, 2}, Sizes{3, 4}, Sizes{8, 8}}) {
+      lab::Cell cell = lab::worst_case_cell(name, "points-through-lines", n, 1, 0.1);
+      cell.parameters.m = m;
+      add_exactly(catalogue, std::move(cell), "closest_point_line.all_pairs", "external",
+                  2 * (n * m - 1), "all nm pairs are the closest in turn, and again: 2(nm - 1)");
+    }
+    for (const Counted& one :
+         {Counted{6, 1, 7, 10}, {8, 1, 16, 17}, {10, 2, 24, 23}, {12, 3, 36, 42}}) {
+      add_exactly(catalogue, small_cell(name, "small-lines-and-points", one.n, one.seed),
+                  "closest_point_line.small_integers", "external",
+                  vertical ? one.vertical : one.euclidean,
+                  "the closest pairs between all roots of the polynomials of two pairs");
+    }
+    for (const int n : {8, 16, 32}) {
+      if (n > 16 && extent == lab::Extent::kQuick) continue;
+      catalogue.cells.push_back(random_cell(name, "random-lines-and-points", n, n * n / 1000.0));
+    }
+  }
+}
+
 }  // namespace
 
 void add_arrangement_cells(lab::Catalogue& catalogue, lab::Extent extent) {
@@ -162,6 +193,7 @@ void add_arrangement_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   add_line_cells(catalogue, extent);
   add_place_cells(catalogue, extent);
   add_wall_cells(catalogue, extent);
+  add_closest_cells(catalogue, extent);
 }
 
 }  // namespace kinex::families

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/families/arrangement/family.h"
 
+#include <string_view>
+
 #include "experiments/families/arrangement/experiments.h"
 
 namespace kinex::families {
@@ -73,6 +75,16 @@ lab::FamilyExperiments arrangement_experiments() {
                    {8, 12},
                    {6, 8},
                    {{6, 8, 10}, {6, 8, 12, 16}}}};
+  for (const std::string_view closest : {"closest_point_line", "closest_point_line_vertical"}) {
+    family.trade.push_back({closest,
+                            2,
+                            {8, 20},
+                            "points-through-lines",
+                            {4, 8},
+                            {8, 20},
+                            {8, 12},
+                            {{8, 12, 16}, {8, 16, 24, 32}}});
+  }
   family.bench_rows = arrangement_bench_rows;
   return family;
 }

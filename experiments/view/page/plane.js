@@ -102,6 +102,9 @@ class Plane {
   }
   // A claim about lines: the lines, and each point with the way straight up or down to the first.
   linesOf(ids) {
+    if (ids.length === 4 && IS_LINE[ids[2]] && !IS_LINE[ids[1]]) {  // two pairs of a line and a point
+      return [...this.linesOf(ids.slice(0, 2)), ...this.linesOf(ids.slice(2))];
+    }
     const lines = ids.filter(id => IS_LINE[id]), points = ids.filter(id => !IS_LINE[id]);
     const threads = points.map(id => ({ from: this.at(id),
                                         to: [this.sx[id], this.heightAt(lines[0], this.sx[id])] }));

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/arrangement/closest_point_line.h"
+
+#include <algorithm>
+#include <string>
+
+#include "structures/arrangement/line_bounds.h"
+#include "structures/parts/tournament_proof.h"
+
+namespace kinex {
+
+ClosestPointLine::ClosestPointLine(Kernel& kernel, StructureId id, const Scene& scene,
+                                   LineMeasure measure)
+    : kernel_(&kernel),
+      id_(id),
+      measure_(measure),
+      pairs_(kernel, id, "pairs", LineDistances(kernel, measure, lines_of(scene))),
+      events_(kernel, id, Attribute::Shape::kTuples) {}
+
+std::vector<ObjectId> ClosestPointLine::closest() const {
+  const Pair* front = pairs_.front();
+  if (front == nullptr) return {};
+  return {(*front)[0], (*front)[1]};
+}
+
+std::vector<ClosestPointLine::Pair> ClosestPointLine::all_pairs() const {
+  std::vector<Pair> all;
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    for (std::size_t j = i + 1; j < members_.size(); ++j) {
+      if (is_pair(members_[i], members_[j])) all.push_back({members_[i], members_[j]});
+    }
+  }
+  return all;
+}
+
+void ClosestPointLine::begin() {
+  pairs_.apply(tied());
+  events_.begin(closest());
+}
+
+void ClosestPointLine::build(std::span<const ObjectId> objects) {
+  members_.assign(objects.begin(), objects.end());
+  pairs_.assign(all_pairs());
+  begin();
+}
+
+void ClosestPointLine::rebuild() {
+  pairs_.rebuild(tied());
+  begin();
+}
+
+void ClosestPointLine::certificate_failed(CertificateId failed) {
+  const auto [old, fresh] = pairs_.failed(failed, tied());
+  events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, closest());
+}
+
+void ClosestPointLine::insert(ObjectId object) {
+  for (const ObjectId other : members_) {
+    if (is_pair(object, other)) pairs_.come({std::min(object, other), std::max(object, other)});
+  }
+  members_.insert(std::lower_bound(members_.begin(), members_.end(), object), object);
+  begin();
+}
+
+void ClosestPointLine::erase(ObjectId object) {
+  members_.erase(std::lower_bound(members_.begin(), members_.end(), object));
+  for (const ObjectId other : members_) {
+    if (is_pair(object, other)) pairs_.go({std::min(object, other), std::max(object, other)});
+  }
+  begin();
+}
+
+void ClosestPointLine::visit_proof(ProofVisitor& visitor) const {
+  visit_tournament(visitor, pairs_, 0, "lines and points by distance", [](const Pair& winner) {
+    return std::vector<ObjectId>(winner.begin(), winner.end());
+  });
+}
+
+std::vector<BoundCheck> ClosestPointLine::bounds(const BoundContext& context) const {
+  const StructureLedger& ledger = *context.ledger;
+  const std::string own(name());
+  const LinesAndPoints both(context, pairs_.claims().is_line());
+  const Integer all = counted(both.lines.size()) * counted(both.points.size());
+  const int degree = degree_of_claims(context.degree);
+  std::vector<BoundCheck> result{
+      at_most(own + ".certificates", "a tournament of all pairs of a line and a point",
+              std::max(Integer(0), all - Integer(1)), counted(ledger.max_live)),
+      at_most(own + ".events", "the epochs of the nodes of the tournament",
+              pairs_.most_failures(degree), counted(ledger.failures))};
+  if (context.plain() && all.sign() > 0) {
+    result.push_back(
+        at_most(own + ".external", "pieces of the lower envelope of the distances of all pairs",
+                davenport_schinzel_bound(degree, all) - Integer(1), counted(ledger.external)));
+  }
+  return result;
+}
+
+void ClosestPointLine::check_invariants(AuditReport& report) const {
+  pairs_.check(report, "pairs");
+  report.check(pairs_.values() == all_pairs(),
+               [] { return "other pairs than those of its lines and points"; });
+  report.check(closest() == events_.told().ids, [] { return "a change was not reported"; });
+}
+
+}  // namespace kinex
