@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kinex::lab {
 
@@ -17,7 +18,8 @@ constexpr double kSample = 62;      // of a legend's entry, beside its text
 constexpr double kWidth = 1.5, kSymbol = 0.8;                // of a curve that covers none
 constexpr double kWidthInLegend = 6, kSymbolInLegend = 1.1;  // at most, there
 constexpr double kAboveData = 10;   // bounds beyond this multiple of the data leave the picture
-constexpr double kSame = 0.02;      // curves nearer than this share cover each other
+constexpr double kHidden = 4;       // pixels: a symbol nearer to another curve is covered by it
+constexpr double kAxisWidth = 540, kAxisHeight = 290;  // about
 
 struct Range {
   double low = 1e300, high = -1e300;
@@ -53,17 +55,6 @@ bool is_drawn(const CurvesPicture& picture, const FitPoint& point) {
          (!picture.log_x || point.n > 0);
 }
 
-// True if half of the points of `a`, or more, are near points of `b`.
-bool runs_along(const Curve& a, const Curve& b) {
-  const auto shared = std::count_if(a.points.begin(), a.points.end(), [&](const FitPoint& p) {
-    return std::any_of(b.points.begin(), b.points.end(), [&](const FitPoint& q) {
-      return std::fabs(p.n - q.n) <= kSame * std::fabs(p.n) &&
-             std::fabs(p.count - q.count) <= kSame * std::fabs(p.count);
-    });
-  });
-  return shared > 0 && 2 * static_cast<std::size_t>(shared) >= a.points.size();
-}
-
 // What the legend says of points that the axis does not have.
 std::string left_out(const CurvesPicture& picture, const Curve& curve) {
   std::size_t drawn = 0, zeros = 0;
@@ -92,15 +83,21 @@ class CurvesDrawing {
   }
 
   void draw(Figure& figure) {
-    for (std::size_t i = 0; i < curves_.size(); ++i) {
-      if (!curves_[i].is_bound) most_covering_ = std::max(most_covering_, covering(i));
+    measure_covering();
+    Range numbers;
+    for (const auto& [log, range] :
+         {std::pair(picture_.log_x, x_), std::pair(picture_.log_y, y_)}) {
+      if (!log) continue;
+      numbers.add(range.low);
+      numbers.add(range.high);
     }
+    const TicForm form = tic_form(numbers.low, numbers.high);
     for (std::size_t i = 0; i < curves_.size(); ++i) add_curve(i);
     for (const double slope : picture_.slopes) add_guide(slope);
     const LegendPlan legend = legend_below(entries_, figure.width);
     std::string text = kFrame + legend.commands;
-    text += axis('x', picture_.x, picture_.log_x, x_);
-    text += axis('y', picture_.y, picture_.log_y, y_);
+    text += axis('x', picture_.x, picture_.log_x, x_, form);
+    text += axis('y', picture_.y, picture_.log_y, y_, form);
     if (!picture_.x_tics.empty()) {
       text += "set xtics (";
       for (std::size_t i = 0; i < picture_.x_tics.size(); ++i) {
@@ -148,9 +145,10 @@ class CurvesDrawing {
     return {range.low >= 0 && low < 0 ? 0 : low, range.high + share * size};
   }
 
-  static std::string axis(char name, const std::string& title, bool log, const Range& range) {
+  static std::string axis(char name, const std::string& title, bool log, const Range& range,
+                          TicForm form) {
     std::string text =
-        log ? fmt::format("set logscale {}\n", name) + log_tics(name, range.low, range.high)
+        log ? fmt::format("set logscale {}\n", name) + log_tics(name, range.low, range.high, form)
             : std::string();
     text += fmt::format("set {}range [{:.8g}:{:.8g}]\n", name, range.low, range.high);
     return text + fmt::format("set {}label {}\n", name, quoted(title));
@@ -197,7 +195,7 @@ class CurvesDrawing {
           entry);
       return;
     }
-    const std::size_t over = covering(i);
+    const std::size_t over = covering_[i];
     // A line is wider than those that cover it; bars alone need not be. The widest of many stays a line.
     const double most = static_cast<double>(std::max<std::size_t>(most_covering_, 1));
     const double width =
@@ -209,7 +207,7 @@ class CurvesDrawing {
                                     : "points";
     const auto styled = [&](const std::string& what, const char* how, double thick, double large) {
       return fmt::format("{} with {} lw {:.2g} ps {:.2g} pt {} lc rgb '{}'", what, how, thick,
-                         large, over > 0 ? style.symbol - 1 : style.symbol, style.colour);
+                         large, over > 0 ? style.hollow : style.symbol, style.colour);
     };
     const std::string data = block + (bars ? " using 1:2:3:4" : " using 1:2");
     if (size <= kSymbolInLegend) return add(styled(data, with, width, size), entry);
@@ -220,16 +218,60 @@ class CurvesDrawing {
         entry);
   }
 
-  // The number of later curves that would cover the curve.
-  std::size_t covering(std::size_t i) const {
-    std::size_t over = 0;
-    for (std::size_t j = i + 1; j < curves_.size(); ++j) {
-      over += !curves_[j].is_bound && runs_along(curves_[i], curves_[j]) ? 1 : 0;
+  // How many curves lie above each at most, each covering the one below it.
+  void measure_covering() {
+    covering_.assign(curves_.size(), 0);
+    for (std::size_t i = curves_.size(); i-- > 0;) {
+      if (curves_[i].is_bound) continue;
+      for (std::size_t j = i + 1; j < curves_.size(); ++j) {
+        if (curves_[j].is_bound || !runs_along(curves_[i], curves_[j])) continue;
+        covering_[i] = std::max(covering_[i], 1 + covering_[j]);
+      }
+      most_covering_ = std::max(most_covering_, covering_[i]);
     }
-    return over;
   }
 
-  // The symbols without filling are those before: a wide line below shows around the narrow one.
+  // True if a third of the points of `a`, or more, would be hidden by `b`.
+  bool runs_along(const Curve& a, const Curve& b) const {
+    const auto hidden = static_cast<std::size_t>(std::count_if(
+        a.points.begin(), a.points.end(), [&](const FitPoint& p) { return is_hidden(p, b); }));
+    return hidden > 0 && 3 * hidden >= a.points.size();
+  }
+
+  bool is_hidden(const FitPoint& point, const Curve& by) const {
+    if (!is_drawn(picture_, point)) return false;
+    const Place p = place(point);
+    const Place* last = nullptr;
+    Place here, before;
+    for (const FitPoint& q : by.points) {
+      if (!is_drawn(picture_, q)) continue;
+      here = place(q);
+      if (distance(p, here, last != nullptr && by.joined ? *last : here) <= kHidden) return true;
+      before = here;
+      last = &before;
+    }
+    return false;
+  }
+
+  struct Place {
+    double x = 0, y = 0;  // pixels
+  };
+  Place place(const FitPoint& p) const {
+    return {kAxisWidth * share(p.n, x_, picture_.log_x),
+            kAxisHeight * share(p.count, y_, picture_.log_y)};
+  }
+  static double share(double value, const Range& range, bool log) {
+    return log ? std::log(value / range.low) / std::log(range.high / range.low)
+               : (value - range.low) / (range.high - range.low);
+  }
+  // From a place to the straight line between two.
+  static double distance(const Place& p, const Place& a, const Place& b) {
+    const double x = b.x - a.x, y = b.y - a.y, length = x * x + y * y;
+    const double along =
+        length > 0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / length, 0.0, 1.0) : 0;
+    return std::hypot(p.x - a.x - along * x, p.y - a.y - along * y);
+  }
+
   void add_line(const Curve& curve, std::size_t i, const Look& style) {
     const double low = std::log(std::max(curve.points.front().n, curve.line_from)),
                  high = std::log(curve.points.back().n);
@@ -256,7 +298,9 @@ class CurvesDrawing {
                      : fmt::format(", above: {:.2g} at {:.4g}", curve.points.front().count,
                                    curve.points.front().n);
     }
-    add(fmt::format("{} using 1:2 with lines lw 1.5 dt 2 lc rgb '{}'", block, style.colour), entry);
+    add(fmt::format("{} using 1:2 with lines lw 1.5 dt {} lc rgb '{}'", block, dash(bounds_++),
+                    style.colour),
+        entry);
   }
 
   // Below the last point of the curve that rises most like it; none if no curve does.
@@ -280,7 +324,7 @@ class CurvesDrawing {
     if (last == nullptr || nearest > kFarthestSlope) return;
     const double factor = 0.6 * last->count / std::pow(last->n, slope);
     add(fmt::format("{:.10g}*x**{:.6g} with lines lw 1.2 dt {} lc rgb '#555555'", factor, slope,
-                    ++guides_ == 1 ? 3 : 4),
+                    guide_dash(guides_++)),
         fmt::format("slope {:.4g}", slope));
   }
 
@@ -289,8 +333,9 @@ class CurvesDrawing {
   Range x_, y_;
   std::string data_, plot_;
   std::vector<std::string> entries_, names_;
-  int guides_ = 0;
-  std::size_t most_covering_ = 0;  // of all curves
+  std::size_t bounds_ = 0, guides_ = 0;
+  std::vector<std::size_t> covering_;
+  std::size_t most_covering_ = 0;
 };
 
 }  // namespace
@@ -299,28 +344,30 @@ void set_curves(Figure& figure, const CurvesPicture& picture, const std::vector<
   CurvesDrawing(picture, curves).draw(figure);
 }
 
-std::string log_tics(char axis, double low, double high, bool labelled) {
+TicForm tic_form(double low, double high) {
+  return low > 1e-4 && high < 1e6 ? TicForm::kPlain : TicForm::kPowers;
+}
+
+std::string log_tics(char axis, double low, double high, TicForm form, bool labelled) {
   const double decades = std::log10(high / low);
-  const bool powers = decades >= 2;
+  const bool long_axis = decades >= 2;              // only powers of ten have labels
   const bool short_axis = decades < std::log10(4);  // 1, 2 and 5 alone would name one place, or none
   const int step = std::max(1, static_cast<int>(std::ceil(decades / 8)));
-  std::string text;
-  const auto add = [&](const std::string& name, int digit, int power) {
-    const double value = digit * std::pow(10, power);
-    if (value < low || value > high) return;
-    text += fmt::format("{}'{}' {}e{}{}", text.empty() ? "" : ", ", labelled ? name : "", digit,
-                        power, name.empty() ? " 1" : "");
+  const auto name = [&](int digit, int k) {
+    if (form == TicForm::kPlain) return fmt::format("{:.10g}", digit * std::pow(10, k));
+    return fmt::format("{}10^{{{}}}", digit == 1 ? "" : fmt::format("{}\u00b7", digit), k);
   };
+  std::string text;
   // Every place is written out: gnuplot's own steps begin at the end of the range, wherever that is.
   for (int k = static_cast<int>(std::floor(std::log10(low))); k <= std::log10(high); ++k) {
     for (int digit = 1; digit < 10; ++digit) {
+      const double value = digit * std::pow(10, k);
+      if (value < low || value > high) continue;
+      if (long_axis && digit > 1 && step > 1) continue;
       const bool round = digit == 1 || digit == 2 || digit == 5 || short_axis;
-      if (powers) {
-        if (digit > 1 && step > 1) continue;
-        add(digit == 1 && k % step == 0 ? fmt::format("10^{{{}}}", k) : "", digit, k);
-      } else {
-        add(round ? fmt::format("{:.10g}", digit * std::pow(10, k)) : "", digit, k);
-      }
+      const bool named = long_axis ? digit == 1 && k % step == 0 : round;
+      text += fmt::format("{}'{}' {}e{}{}", text.empty() ? "" : ", ",
+                          named && labelled ? name(digit, k) : "", digit, k, named ? "" : " 1");
     }
   }
   return fmt::format("set {}tics ({})\n", axis, text);

@@ -37,7 +37,7 @@ struct CurvesPicture {
 };
 
 // Sets the script, width and height of a figure. The legend mentions values that a logarithmic axis
-// cannot show. A curve that runs along a later one is drawn wider below it. Bounds more
+// cannot show. A curve that later ones cover is drawn wider below them, with large hollow symbols. Bounds more
 // than a decade above everything else do not stretch the picture; the legend names what is left out.
 void set_curves(Figure& figure, const CurvesPicture& picture, const std::vector<Curve>& curves);
 
@@ -47,9 +47,15 @@ void set_curves(Figure& figure, const CurvesPicture& picture, const std::vector<
 inline constexpr const char* kFrame =
     "set grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#444444'\nset tics nomirror\n";
 
+// The numbers of a figure's logarithmic axes have one form: plain (200, 10000), or powers of ten (10^4) if one
+// of them is a million or more, or below 10^-4.
+enum class TicForm { kPlain, kPowers };
+TicForm tic_form(double low, double high);  // the range of all logarithmic axes
+
 // Numbers of a logarithmic axis ('x' or 'y') with this range: powers of ten over two decades and
-// more, else 1, 2, 5, 10, ..; all of them if the range is below a factor of 4. `labelled`: with the numbers, not the marks alone.
-std::string log_tics(char axis, double low, double high, bool labelled = true);
+// more, else 1, 2, 5, 10, ..; all of them if the range is below a factor of 4. `labelled`: with the
+// numbers, not the marks alone.
+std::string log_tics(char axis, double low, double high, TicForm form, bool labelled = true);
 
 // A key below the picture that its entries fit into, in one or two columns: its rows.
 struct LegendPlan {

@@ -17,8 +17,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr Look kLooks[] = {{"#0072B2", 7},  {"#D55E00", 5},  {"#009E73", 9},
-                           {"#CC79A7", 13}, {"#E69F00", 11}, {"#56B4E9", 15}};
+// Filled symbols, strokes, and hollow symbols.
+constexpr Look kLooks[] = {{"#0072B2", 7, 6},   {"#D55E00", 5, 4},   {"#009E73", 9, 8},
+                           {"#CC79A7", 13, 12}, {"#E69F00", 11, 10}, {"#56B4E9", 15, 14},
+                           {"#000000", 2, 2},   {"#882255", 1, 1},   {"#777777", 3, 3},
+                           {"#332288", 6, 6},   {"#999933", 4, 4},   {"#44AA99", 8, 8},
+                           {"#AA4499", 12, 12}, {"#661100", 10, 10}, {"#117733", 14, 14}};
+constexpr const char* kDashes[] = {"2",          "(16,5)",         "(4,4)",
+                                   "(16,4,4,4)", "(16,4,4,4,4,4)", "(26,8)"};
+constexpr const char* kGuideDashes[] = {"3",      "(12,6)", "(14,5,2,5)",
+                                        "(3,12)", "(30,5)", "(14,4,2,4,2,4,2,4)"};
 
 std::string read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -136,6 +144,10 @@ Drawings draw(const std::vector<Figure>& figures, const std::string& program,
 }
 
 const Look& look(std::size_t i) { return kLooks[i % std::size(kLooks)]; }
+
+const char* dash(std::size_t i) { return kDashes[i % std::size(kDashes)]; }
+
+const char* guide_dash(std::size_t i) { return kGuideDashes[i % std::size(kGuideDashes)]; }
 
 std::string marked(const std::string& text) {
   std::string result;

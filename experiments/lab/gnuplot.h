@@ -36,13 +36,16 @@ Drawings draw(
     const std::vector<Figure>& figures, const std::string& program = "gnuplot",
     const std::function<bool()>& go_on = [] { return true; });
 
-// Colour and symbol of the i-th curve, distinct with any colour vision and without colours (Okabe
-// and Ito, 2008).
+// Colour and symbol of the i-th curve, distinct without colours for fifteen curves; the first six with any
+// colour vision (Okabe and Ito, 2008). `hollow`: the symbol through which a curve above shows.
 struct Look {
   const char* colour;
-  int symbol;
+  int symbol, hollow;
 };
 const Look& look(std::size_t i);
+// Dash types of the i-th bound and of the i-th guide, distinct for six of each.
+const char* dash(std::size_t i);
+const char* guide_dash(std::size_t i);
 
 // A string in gnuplot's notation, without markup; `marked` without the quotes, to be put together
 // with markup.

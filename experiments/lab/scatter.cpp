@@ -15,6 +15,8 @@ namespace kinex::lab {
 namespace {
 
 constexpr const char* kMedianStyle = "pt 6 ps 1.6 lw 2 lc rgb '#222222'";
+constexpr double kMedianSize = 1.6, kWiderMedian = 1;  // a ring around a median that another covers
+constexpr double kMedianRadius = 7;                    // pixels
 constexpr double kLegendHeight = 0.03;
 constexpr int kPictureWidth = 640, kPictureHeight = 560;
 // Of the picture, from the left and from below.
@@ -54,16 +56,17 @@ class ScatterDrawing {
     figure.width = kPictureWidth;
     figure.height = kPictureHeight;
     add_data();
-    figure.script =
-        kFrame +
-        fmt::format("set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen "
-                    "{}\nset tmargin at screen {}\n",
-                    kLeft, kRight, kBelow, kAbove) +
-        "unset key\n" + legend() + "set logscale xy\n" + log_tics('x', low_, high_) + "set xlabel " +
-        quoted(picture_.x) + "\nset ylabel " + quoted(picture_.y) + " offset 1,0\n" +
-        fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [1e{}:1e{}]\n", low_, high_, bottom_,
-                    top_) +
-        y_tics() + labels_ + data_ + plot_ + "\n";
+    figure.script = kFrame +
+                    fmt::format(
+                        "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen "
+                        "{}\nset tmargin at screen {}\n",
+                        kLeft, kRight, kBelow, kAbove) +
+                    "unset key\n" + legend() + "set logscale xy\n" +
+                    log_tics('x', low_, high_, TicForm::kPowers) + "set xlabel " +
+                    quoted(picture_.x) + "\nset ylabel " + quoted(picture_.y) + " offset 1,0\n" +
+                    fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [1e{}:1e{}]\n", low_, high_,
+                                bottom_, top_) +
+                    y_tics() + labels_ + data_ + plot_ + "\n";
   }
 
  private:
@@ -122,18 +125,34 @@ class ScatterDrawing {
       medians.emplace_back(median(std::move(x)), median(std::move(y)));
       placer.add_point(pixel_x(medians.back().first), pixel_y(medians.back().second), 7, true);
     }
+    const std::vector<double> sizes = sizes_of(medians);
     data_ = "$medians << EOD\n";
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       const auto& [x, y] = medians[i];
-      data_ += fmt::format("{:.6g} {:.6g}\n", x, height_of(y));
+      data_ += fmt::format("{:.6g} {:.6g} {:.3g}\n", x, height_of(y), sizes[i]);
       add_label(groups_[i].label, placer.place(groups_[i].label, pixel_x(x), pixel_y(y)));
     }
     data_ += "EOD\n";
-    plot_ = fmt::format("plot $medians using 1:2 with points {}", kMedianStyle);
+    plot_ = "plot $medians using 1:2:3 with points pt 6 ps variable lw 2 lc rgb '#222222'";
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       data_ += fmt::format("$kind{} << EOD\n{}EOD\n", i, blocks[i].empty() ? "NaN NaN\n" : blocks[i]);
       plot_ += fmt::format(", \\\n  $kind{} using 1:2 with points {}", i, picture_.kinds[i].style);
     }
+  }
+
+  // Of the medians' circles: one that lies on others is a ring around them.
+  std::vector<double> sizes_of(const std::vector<std::pair<double, double>>& medians) const {
+    std::vector<double> sizes;
+    for (std::size_t i = 0; i < medians.size(); ++i) {
+      double size = kMedianSize;
+      for (std::size_t j = 0; j < i; ++j) {
+        const double apart = std::hypot(pixel_x(medians[i].first) - pixel_x(medians[j].first),
+                                        pixel_y(medians[i].second) - pixel_y(medians[j].second));
+        if (apart < kMedianRadius) size = std::max(size, sizes[j] + kWiderMedian);
+      }
+      sizes.push_back(size);
+    }
+    return sizes;
   }
 
   void add_label(const std::string& text, const LabelPlacer::Label& label) {

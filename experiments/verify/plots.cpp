@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "experiments/lab/curves.h"
 #include "experiments/lab/family.h"
 #include "experiments/lab/residual_figure.h"
+#include "experiments/verify/shared_bound.h"
 
 namespace kinex::verify {
 
@@ -92,6 +94,19 @@ const lab::GrowthResult* growth_of(const VerifyResult& result, const std::string
   return nullptr;
 }
 
+// The exponents that are claimed of the events that are drawn, ascending.
+std::vector<double> claimed_slopes(const VerifyResult& result, const std::string& structure) {
+  std::set<double> slopes;
+  for (const lab::GrowthResult& growth : result.growths) {
+    const lab::GrowthClaim& claim = growth.claim;
+    const bool drawn =
+        claim.structure == structure && growth.axis.empty() && !growth.points.empty();
+    if (drawn && claim.quantity == "processed" && claim.logs == 0 && claim.exponent > 0)
+      slopes.insert(claim.exponent);
+  }
+  return {slopes.begin(), slopes.end()};
+}
+
 // A family with its workload, so that a picture tells where its counts come from: "uniform (uniform-square)".
 std::string with_workload(const std::string& family, const std::string& workload) {
   return family.find(workload) == family.npos ? fmt::format("{} ({})", family, workload) : family;
@@ -112,7 +127,8 @@ lab::Figure counts_figure(const VerifyResult& result, const std::string& structu
       "Points: observed events (mean over seeds, bars of two standard errors where they can be "
       "seen). Lines: fitted powers, with their 95 % intervals. Dashed, in the colour of the "
       "family: the "
-      "hard bounds that were checked in its runs, which none may exceed.";
+      "hard bounds that were checked in its runs, which none may exceed; families with the same "
+      "bound have one line. Grey: slopes that are claimed.";
   // Several families may differ only in the degree of the motion.
   const auto name_of = [&](const Family& family) {
     const bool alone = std::count_if(families.begin(), families.end(), [&](const Family& other) {
@@ -133,13 +149,19 @@ lab::Figure counts_figure(const VerifyResult& result, const std::string& structu
       curve.value = lab::power_value(*growth->fit, "n");
     }
     curves.push_back(std::move(curve));
-    if (std::vector<lab::FitPoint> bound = family.bounds(); !bound.empty()) {
-      curves.push_back({"hard bound, " + name_of(family), std::move(bound), ""});
-      curves.back().is_bound = true;
-      curves.back().look = i;
-    }
   }
-  lab::CurvesPicture picture{"objects n", "events", true, true, {}};
+  std::vector<std::vector<lab::FitPoint>> bounds;
+  for (const Family& family : families) bounds.push_back(family.bounds());
+  for (const SharedBound& bound : shared_bounds(bounds)) {
+    std::string names;
+    for (const std::size_t i : bound.families)
+      names += (names.empty() ? "" : " and ") + name_of(families[i]);
+    const bool all = bound.families.size() == families.size() && families.size() > 1;
+    curves.push_back({"hard bound, " + (all ? "all families" : names), bound.points, ""});
+    curves.back().is_bound = true;
+    curves.back().look = bound.families.front();
+  }
+  lab::CurvesPicture picture{"objects n", "events", true, true, claimed_slopes(result, structure)};
   picture.title = figure.title;
   lab::set_curves(figure, picture, curves);
   return figure;

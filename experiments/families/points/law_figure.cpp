@@ -53,22 +53,31 @@ std::string legend_of(const lab::Fit& fit) {
          fmt::format(", b = {:.4g} [{:.4g}, {:.4g}]", fit.b, fit.lower, fit.upper);
 }
 
-std::string counts_part(const LawNames& names, const std::vector<lab::FitPoint>& points,
-                        const std::vector<lab::Fit>& fits) {
+struct CountRange {
+  double low, high;
+};
+
+// Of the axis of counts; a power is drawn on a logarithmic one.
+CountRange range_of(const LawNames& names, const std::vector<lab::FitPoint>& points) {
   double low = points.front().count, high = low;
   for (const lab::FitPoint& point : points) {
     low = std::min(low, point.count - 2 * point.error);
     high = std::max(high, point.count + 2 * point.error);
   }
+  if (names.exponent > 0) return {std::max(low, 0.5) / 2, high * 2};
+  return {0, 1.2 * high};
+}
+
+std::string counts_part(const LawNames& names, const std::vector<lab::FitPoint>& points,
+                        const std::vector<lab::Fit>& fits, const CountRange& range,
+                        lab::TicForm form) {
   std::string text = "set tmargin at screen 0.93\nset bmargin at screen 0.43\n";
   const bool is_power = names.exponent > 0;
   if (is_power) {
-    low = std::max(low, 0.5) / 2;
-    high *= 2;
-    text += "set logscale y\n" + lab::log_tics('y', low, high) +
-            fmt::format("set yrange [{:.8g}:{:.8g}]\n", low, high);
+    text += "set logscale y\n" + lab::log_tics('y', range.low, range.high, form) +
+            fmt::format("set yrange [{:.8g}:{:.8g}]\n", range.low, range.high);
   } else {
-    text += fmt::format("set yrange [0:{:.8g}]\n", 1.2 * high);
+    text += fmt::format("set yrange [0:{:.8g}]\n", range.high);
   }
   text += "set key left top Left reverse samplen 2.5\nset title '" + lab::formula(title_of(names.statement)) +
           "'\nset ylabel " + lab::quoted(names.counted) +
@@ -117,12 +126,18 @@ lab::Figure law_figure(const LawNames& names, const std::vector<lab::FitPoint>& 
       "of each; grey: two standard errors.";
   figure.height = 620;
   const double low = points.front().n * 0.8, high = points.back().n * 1.25;
-  const std::string tics = lab::log_tics('x', low, high);
+  const CountRange counts = range_of(names, points);
+  const bool is_power = names.exponent > 0;
+  const lab::TicForm form =
+      is_power ? lab::tic_form(std::min(low, counts.low), std::max(high, counts.high))
+               : lab::tic_form(low, high);
+  const std::string tics = lab::log_tics('x', low, high, form);
   figure.script = data_of(points, fits) + "set multiplot\nset logscale x\n" + lab::kFrame +
                   "set lmargin at screen 0.13\nset rmargin at screen 0.96\n" +
                   fmt::format("set xrange [{:.6g}:{:.6g}]\n", low, high) +
-                  lab::log_tics('x', low, high, false) + counts_part(names, points, fits) + tics +
-                  rest_part(fits) + "unset multiplot\n";
+                  lab::log_tics('x', low, high, form, false) +
+                  counts_part(names, points, fits, counts, form) + tics + rest_part(fits) +
+                  "unset multiplot\n";
   return figure;
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <regex>
+#include <set>
 
 namespace kinex::lab {
 namespace curves_test {
@@ -43,6 +44,63 @@ TEST(Curves, CurvesThatRunAlongOthersAreWiderBelow) {
   EXPECT_THAT(script, HasSubstr("$curve2 using 1:2 with linespoints lw 1.5 "));
 }
 
+// Each is seen beside the one above it: of three that cover one another in turn, each in another part.
+TEST(Curves, WidthsFallAlongAChain) {
+  std::vector<Curve> curves{{"below", {}, ""}, {"between", {}, ""}, {"above", {}, ""}};
+  for (int n = 1; n <= 512; n *= 2) {
+    curves[0].points.push_back({n * 1.0, n < 30 ? 3.0 * n : n, 0});
+    curves[1].points.push_back({n * 1.0, n * 1.0, 0});
+    if (n < 30) curves[2].points.push_back({n * 1.0, n * 1.0, 0});
+  }
+  const std::string script = script_of(kLogarithmic, curves);
+  EXPECT_THAT(script, HasSubstr("$curve0 using 1:2 with linespoints lw 10 ps 2.6 pt 6 "));
+  EXPECT_THAT(script, HasSubstr("$curve1 using 1:2 with linespoints lw 6 ps 1.7 pt 4 "));
+  EXPECT_THAT(script, HasSubstr("$curve2 using 1:2 with linespoints lw 1.5 ps 0.8 pt 9 "));
+}
+
+// Two per cent apart, or five: the symbols lie on each other all the same.
+TEST(Curves, SymbolsCoverWhatIsNearInThePicture) {
+  Curve one{"one", {}, ""}, near{"near", {}, ""}, apart{"apart", {}, ""};
+  for (double n = 10; n < 1e5; n *= 10) {
+    one.points.push_back({n, n, 0});
+    near.points.push_back({2 * n, 2.1 * n, 0});  // beside its line, between its points
+    apart.points.push_back({n, 2 * n, 0});
+  }
+  EXPECT_THAT(script_of(kLogarithmic, {one, apart}),
+              HasSubstr("$curve0 using 1:2 with linespoints lw 1.5 "));
+  EXPECT_THAT(script_of(kLogarithmic, {near, one}),
+              HasSubstr("$curve0 using 1:2 with linespoints lw 6 "));
+}
+
+// A legend of as many entries as there are looks: none is like another, with colours or without.
+TEST(Curves, NoTwoEntriesLookAlike) {
+  std::vector<Curve> curves;
+  for (int i = 0; i < 15; ++i)
+    curves.push_back(
+        {"c" + std::to_string(i), {{1, std::pow(2, i), 0}, {10, std::pow(2, i) * 10, 0}}, ""});
+  for (int i = 0; i < 6; ++i) {
+    curves.push_back(
+        {"b" + std::to_string(i), {{1, std::pow(3, i), 0}, {10, std::pow(3, i) * 10, 0}}, ""});
+    curves.back().is_bound = true;
+  }
+  CurvesPicture picture = kLogarithmic;
+  picture.slopes = {0.8, 0.9, 1, 1.1, 1.2, 1.3};
+  const std::string script = script_of(picture, curves);
+  const std::regex item("with [a-z]+ ([^']*)lc rgb '([^']*)' title '"), number("(lw|ps) [0-9.]+ ");
+  std::set<std::string> coloured;
+  std::set<std::pair<bool, std::string>> plain;  // a guide is grey, whatever it is printed on
+  int entries = 0;
+  for (std::sregex_iterator it(script.begin(), script.end(), item), end; it != end;
+       ++it, ++entries) {
+    const std::string style = std::regex_replace((*it)[1].str(), number, "");
+    coloured.insert(style + (*it)[2].str());
+    plain.emplace((*it)[2] == "#555555", style);
+  }
+  EXPECT_EQ(entries, 27);
+  EXPECT_EQ(coloured.size(), 27u);
+  EXPECT_EQ(plain.size(), 27u);
+}
+
 // However many there are, they stay lines, and the legend's symbols stay in their rows.
 TEST(Curves, ManyAlongOneAnotherFitIntoTheLegend) {
   std::vector<Curve> curves;
@@ -78,19 +136,34 @@ TEST(Curves, AGuideNeedsACurveThatRisesLikeIt) {
 }
 
 TEST(Curves, OneFormOfNumbersPerAxis) {
-  const std::string two = log_tics('x', 8, 1000);
+  const std::string two = log_tics('x', 8, 1000, TicForm::kPowers);
   EXPECT_THAT(two, HasSubstr("'10^{1}' 1e1, '' 2e1 1, "));
   EXPECT_THAT(two, HasSubstr("'10^{2}' 1e2"));
   EXPECT_THAT(two, HasSubstr("'10^{3}' 1e3)"));
   EXPECT_THAT(two, testing::StartsWith("set xtics ('' 8e0 1, '' 9e0 1, "));
-  EXPECT_EQ(log_tics('y', 1, 1.1e10),
+  EXPECT_EQ(log_tics('y', 1, 1.1e10, TicForm::kPowers),
             "set ytics ('10^{0}' 1e0, '' 1e1 1, '10^{2}' 1e2, '' 1e3 1, '10^{4}' 1e4, '' 1e5 1, "
             "'10^{6}' 1e6, '' 1e7 1, '10^{8}' 1e8, '' 1e9 1, '10^{10}' 1e10)\n");
-  EXPECT_EQ(log_tics('x', 1.6, 12),
+  EXPECT_EQ(log_tics('x', 1.6, 12, TicForm::kPlain),
             "set xtics ('2' 2e0, '' 3e0 1, '' 4e0 1, '5' 5e0, '' 6e0 1, '' 7e0 1, '' 8e0 1, "
             "'' 9e0 1, '10' 1e1)\n");
+  EXPECT_THAT(log_tics('x', 8, 30, TicForm::kPowers), HasSubstr("'2\u00b710^{1}' 2e1"));
   // On a short axis 1, 2 and 5 would name one place, or none.
-  EXPECT_EQ(log_tics('x', 4.5, 8.9), "set xtics ('5' 5e0, '6' 6e0, '7' 7e0, '8' 8e0)\n");
+  EXPECT_EQ(log_tics('x', 4.5, 8.9, TicForm::kPlain),
+            "set xtics ('5' 5e0, '6' 6e0, '7' 7e0, '8' 8e0)\n");
+}
+
+// One form of numbers in a figure: powers on a short axis, too, where the other one needs them.
+TEST(Curves, OneFormOfNumbersPerFigure) {
+  const auto script = [](double most) {
+    return script_of(kLogarithmic, {{"one", {{10, 50, 0}, {80, most, 0}}, ""}});
+  };
+  EXPECT_THAT(script(2e5), HasSubstr("'50' 5e1"));
+  EXPECT_THAT(script(2e5), HasSubstr("'100000' 1e5"));
+  EXPECT_THAT(script(2e5), Not(HasSubstr("10^")));
+  EXPECT_THAT(script(2e6), HasSubstr("'5\u00b710^{1}' 5e1"));
+  EXPECT_THAT(script(2e6), HasSubstr("'10^{6}' 1e6"));
+  EXPECT_THAT(script(2e6), Not(HasSubstr("'50'")));
 }
 
 // What is drawn at a tic is what its label says: of a decade that begins anywhere.

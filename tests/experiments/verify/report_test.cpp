@@ -169,6 +169,22 @@ TEST(Figures, RoundingIsNotDrawn) {
   EXPECT_EQ(verify::verify_figures(result).size(), 2u);
 }
 
+// The slope that is claimed of what is drawn is beside it; claims of other counts draw none.
+TEST(Figures, ClaimedSlopesAreDrawn) {
+  lab::GrowthClaim claim{
+      "test.growth", "sorted_list", "constructed", "processed", 1, 1.5, 0.03, ""};
+  verify::VerifyResult result;
+  result.cells = constructed_family(1.5);
+  result.growths = {lab::judge_growth(claim, result.cells)};
+  const auto script = [&] { return verify::verify_figures(result).front().script; };
+  EXPECT_THAT(script(), HasSubstr("title 'slope 1.5'"));
+  result.growths[0].claim.quantity = "external";
+  EXPECT_THAT(script(), Not(HasSubstr("slope")));
+  result.growths[0].claim.quantity = "processed";
+  result.growths[0].claim.logs = 1;
+  EXPECT_THAT(script(), Not(HasSubstr("slope")));
+}
+
 TEST(Figures, ChiSquareIsSaidOnlyOfCountsWithErrors) {
   lab::GrowthClaim claim{"test.growth", "sorted_list", "constructed", "processed", 1, 1.5, 0.03, ""};
   verify::VerifyResult result;
