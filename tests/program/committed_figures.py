@@ -2,8 +2,8 @@
 """Draws figures in Chromium and looks at their texts, of moving ones at their beginning.
 
 usage: committed_figures.py SOURCE_FOLDER [FIGURE.svg ..]
-Without figures: all SVG files that are committed. No text may leave its picture or cover another, and a
-picture must have a size. Exit code 77 (skipped) where there is no Chromium.
+Without figures: all SVG files that are committed. No text may leave its picture or cover another, a
+picture must have a size, and no two entries of a legend may look alike. Exit code 77 (skipped) where there is no Chromium.
 """
 import pathlib
 import re
@@ -42,6 +42,28 @@ def faults_of(picture):
                 yield f"{text!r} covers {other!r}"
 
 
+def entries_of(svg):
+    """Of gnuplot's legends: every entry's text, and colour, dashes and symbol of its sample."""
+    for group in re.split(r'<g id="gnuplot_plot_\w+" >', svg)[1:]:
+        title = re.match(r"<title>(.*?)</title>", group, re.S)
+        words = re.search(r"<text>(.*?)</text>", group, re.S)
+        text = re.sub("<.*?>", "", words.group(1)) if words else None
+        if title is None or text is None or text != title.group(1).replace("^", ""):
+            continue  # not in the legend
+        found = [re.search(pattern, group[words.end():]) for pattern in (
+            r"(?:stroke|color)=['\"](rgb\([^)]*\)|#\w+)", r"stroke-dasharray='([^']*)'", r"xlink:href='#(gpPt\d+)'")]
+        yield text, tuple(one and one.group(1) for one in found)
+
+
+def alike(svg):
+    """Entries of a legend that look like an earlier one."""
+    looks = {}
+    for text, appearance in entries_of(svg):
+        if appearance in looks:
+            yield f"{text!r} looks like {looks[appearance]!r}"
+        looks.setdefault(appearance, text)
+
+
 def inline(file):
     """The SVG element of a file, without what only a file of its own may have."""
     text = file.read_text(encoding="utf-8")
@@ -66,12 +88,19 @@ def self_test(chromium):
     apart, covered, outside = look(chromium, [svg.format(10, 90), svg.format(70, 52), svg.format(190, 90)])
     assert not list(faults_of(apart)), list(faults_of(apart))
     assert "covers" in next(faults_of(covered)) and "leaves" in next(faults_of(outside))
+    entry = '<g id="gnuplot_plot_{0}" ><title>{0}^2</title><text>{0}<tspan>2</tspan></text><path stroke=\'rgb({1})\'/>'
+    assert not list(alike(entry.format(1, 0) + entry.format(2, 8))) and list(alike(entry.format(1, 8) + entry.format(2, 8)))
 
 
 def drawn_by_older_code(file):
     """A figure of the paper whose experiments take hours, drawn before figures had widths; none when its page is made anew."""
     return (file.parent.name == "kds-report-1998"
             and not re.search(r'<svg[^>]*\swidth="', file.read_text(encoding="utf-8")))
+
+
+def has_guides_of_older_code(svg):
+    """Drawn when all guides but the first had one dash: none when all figures are drawn anew."""
+    return len(re.findall(r"stroke-dasharray='4.8,2.4,1.2,2.4'", svg)) > 1
 
 
 def main():
@@ -86,7 +115,10 @@ def main():
     for file, picture in zip(files, look(chromium, [inline(file) for file in files])):
         texts += len(picture["texts"])
         faults += [f"{file}: {fault}" for fault in faults_of(picture)]
-        head = re.search(r"<svg.*?>", file.read_text(encoding="utf-8"), re.S).group(0)
+        text = file.read_text(encoding="utf-8")
+        if not has_guides_of_older_code(text):
+            faults += [f"{file}: {fault}" for fault in alike(text)]
+        head = re.search(r"<svg.*?>", text, re.S).group(0)
         if not re.search(r'\swidth="', head):
             faults.append(f"{file}: it has no width: a page stretches it")
     if faults:
