@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 from chromium import ask, browser
-from committed_figures import faults_of, look
+from committed_figures import alike, faults_of, look
 
 PROBE = """
 <pre id="probe"></pre><script>
@@ -96,7 +96,7 @@ def main():
         svgs = [base64.b64decode(svg).decode() for svg in re.findall(r'src="data:image/svg\+xml;base64,([^"]*)"', html)]
         drawings = [f"<div>{re.sub(r'<!DOCTYPE.*?>|<[?].*?[?]>', '', svg, flags=re.S)}</div>" for svg in svgs]
         pictures = look(chromium, drawings)
-        faults = [fault for picture in pictures for fault in faults_of(picture)]
+        faults = [fault for picture in pictures for fault in faults_of(picture)] + [fault for svg in svgs for fault in alike(svg)]
         if faults:
             fail("; ".join(faults))
         for svg in svgs:
