@@ -123,9 +123,12 @@ class ScatterDrawing {
         placer.add_point(pixel_x(point.x), pixel_y(point.y), 3);
       }
       medians.emplace_back(median(std::move(x)), median(std::move(y)));
-      placer.add_point(pixel_x(medians.back().first), pixel_y(medians.back().second), 7, true);
     }
     const std::vector<double> sizes = sizes_of(medians);
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      placer.add_point(pixel_x(medians[i].first), pixel_y(medians[i].second),
+                       kMedianRadius * sizes[i] / kMedianSize, true);
+    }
     data_ = "$medians << EOD\n";
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       const auto& [x, y] = medians[i];
