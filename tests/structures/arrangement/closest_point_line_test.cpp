@@ -117,7 +117,7 @@ Scene lines_first(std::vector<Trajectory> paths, std::size_t lines, int end = 4)
   return scene;
 }
 
-// y = 7 x and y = 0; the point (0, 3 + t) is below 3 / sqrt(50) of the first one, and 3 above the second.
+// y = 7 x and y = 0: (0, 3) is 3 above both, but 3 / sqrt(50) from the first; (9, 1) is 1 above the second.
 TEST(ClosestPointLine, SteepLinesAreNear) {
   const Scene scene =
       lines_first({path({{7}, {0}}), path({{0}, {0}}), path({{0}, {3}}), path({{9}, {1}})}, 2);
