@@ -110,6 +110,9 @@ class ProofRecorder::Visit final : public ProofVisitor {
 
   void group(const ProofGroup& group) override {
     ++watched_.visits;
+    slot_ = 0;
+    of_sum_ = group.of_sum;
+    if (is_as_before(group)) return;
     key_.first = group.place;
     if (group.place == ProofGroup::kNoPlace) {
       key_.second = group.about;
@@ -117,8 +120,6 @@ class ProofRecorder::Visit final : public ProofVisitor {
       key_.second.clear();
     }
     number_ = number_of_key();
-    slot_ = 0;
-    of_sum_ = group.of_sum;
     groups_.push_back(number_);
     KnownGroup& known = watched_.groups[number_];
     known.seen = look_;
@@ -178,7 +179,27 @@ class ProofRecorder::Visit final : public ProofVisitor {
   ProofChange change;
 
  private:
-  // Mostly it is the group that was shown at this place at the last look.
+  // Mostly it is the group that was shown at this place at the last look, and nothing of it has changed. It
+  // is then compared as it is; one with derived objects has other numbers in the record.
+  bool is_as_before(const ProofGroup& group) {
+    if (groups_.size() >= watched_.live_groups.size()) return false;
+    const std::uint32_t last = watched_.live_groups[groups_.size()];
+    KnownGroup& known = watched_.groups[last];
+    if (known.state == kNone || has_derived(group)) return false;
+    if (!(proof_.groups[known.state].state == group)) return false;
+    number_ = last;
+    groups_.push_back(last);
+    known.seen = look_;
+    return true;
+  }
+  bool has_derived(const ProofGroup& group) const {
+    const auto derived = [&](ObjectId id) { return id >= recorder_.scene_.objects.size(); };
+    return std::any_of(group.about.begin(), group.about.end(), derived) ||
+           std::any_of(group.marks.begin(), group.marks.end(), [&](const ProofMark& mark) {
+             return std::any_of(mark.objects.begin(), mark.objects.end(), derived);
+           });
+  }
+
   std::uint32_t number_of_key() {
     if (groups_.size() < watched_.live_groups.size()) {
       const std::uint32_t last = watched_.live_groups[groups_.size()];

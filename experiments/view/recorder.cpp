@@ -16,6 +16,7 @@
 #include "experiments/formats/log_digest.h"
 #include "experiments/lab/gmp_memory.h"
 #include "experiments/lab/scene_run.h"
+#include "experiments/view/attribute_state.h"
 #include "experiments/view/proof_recorder.h"
 #include "experiments/view/watched_structure.h"
 #include "structures/plan.h"
@@ -107,6 +108,7 @@ class Recorder final : public EventSink {
     digest_->add(event, *simulator_);
     if (!record) return;
     if (state.first_pending == 0) state.first_pending = events_;
+    state.attribute->note_event({event.ids.data(), event.count}, common);
     state.changed = state.changed || event.external || common;
     record_event(event, arithmetic);
   }
@@ -167,7 +169,7 @@ class Recorder final : public EventSink {
   struct State {
     const Structure* structure = nullptr;
     bool begun = false;
-    Attribute attribute;
+    std::optional<AttributeState> attribute;
     std::uint64_t first_pending = 0;  // the first event that it reported since; 0: none
     bool changed = false;             // one of them may have changed the attribute
   };
@@ -184,6 +186,7 @@ class Recorder final : public EventSink {
       std::unique_ptr<Structure> structure = make_structure(
           planned.request, scene_, simulator_->kernel(), id, watched, planned.watches);
       states_[i].structure = structure.get();
+      states_[i].attribute.emplace(*structure);
       searched_.push_back(structure.get());
       RecordedStructure& record = run_.structures[i];
       record.label = planned.request.label;
@@ -197,9 +200,10 @@ class Recorder final : public EventSink {
       }
       record.members = planned.members;
       if (!planned.watches.empty()) record.proof.reads = planned.watches.front();
-      simulator_->add(
-          id, std::make_unique<WatchedStructure>(std::move(structure), [this, id] { look(id); }),
-          planned.request.label, planned.watches, planned.members);
+      simulator_->add(id,
+                      std::make_unique<WatchedStructure>(
+                          std::move(structure), [this, id](bool failure) { look(id, failure); }),
+                      planned.request.label, planned.watches, planned.members);
       for (const std::string_view kind : simulator_->event_kinds(id)) {
         record.kinds.emplace_back(kind);
         record.meanings.emplace_back(info != nullptr ? meaning_of_kind(*info, kind) : "");
@@ -257,28 +261,26 @@ class Recorder final : public EventSink {
     state.first_pending = 0;
     state.changed = false;
     if (simulator_->ledger(id).corrupt) return;
-    state.attribute = state.structure->attribute();
-    run_.structures[id].initial = state.attribute;
+    run_.structures[id].initial = state.attribute->begin();
     proofs_->look(id, *state.structure, events_, true);
   }
 
-  // The structure has returned from a call.
-  void look(StructureId id) {
+  // The structure has returned from a call. `failure`: from certificate_failed.
+  void look(StructureId id, bool failure) {
     if (!recording_) return;
     note_corruption();
     State& state = states_[id];
     if (!state.begun) return take_initial(id);
     const std::uint64_t first = std::exchange(state.first_pending, 0);
     const bool changed = std::exchange(state.changed, false);
+    state.attribute->note_call(failure);
     if (simulator_->ledger(id).corrupt) return;
     if (!full_) proofs_->look(id, *state.structure, first != 0 ? first : events_, first != 0);
     if (first == 0 ? full_ : !changed) return;
-    Attribute attribute = state.structure->attribute();
-    AttributeChange change = difference(state.attribute, attribute);
+    AttributeChange change = state.attribute->read();
     if (change.empty()) return;
     change.event = first != 0 ? first : events_;
     run_.structures[id].changes.push_back(std::move(change));
-    state.attribute = std::move(attribute);
   }
 
   void note_corruption() {
@@ -296,7 +298,7 @@ class Recorder final : public EventSink {
   void check_final_states() const {
     for (StructureId id = 0; id < run_.structures.size(); ++id) {
       if (run_.structures[id].corrupt_after) continue;
-      if (states_[id].attribute == states_[id].structure->attribute()) continue;
+      if (states_[id].attribute->value() == states_[id].structure->attribute()) continue;
       throw MisreportedEvents("structure \"" + simulator_->label(id) +
                                "\": its external events do not lead to its attribute at the end: one "
                                "was not reported, or not as external; kinex run --audit events finds it");

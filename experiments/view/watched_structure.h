@@ -16,9 +16,9 @@ namespace kinex::view {
 
 class WatchedStructure final : public Structure {
  public:
-  // `done` is called when a call that may change the attribute has returned or thrown. It is not
-  // called if the call was stopped or memory was exhausted: the state is then undefined.
-  WatchedStructure(std::unique_ptr<Structure> structure, std::function<void()> done)
+  // `done` is called when a call that may change the attribute has returned or thrown; with true after
+  // certificate_failed. It is not called if the call was stopped or memory was exhausted: the state is then undefined.
+  WatchedStructure(std::unique_ptr<Structure> structure, std::function<void(bool failure)> done)
       : structure_(std::move(structure)), done_(std::move(done)) {}
 
   const Structure& watched() const { return *structure_; }
@@ -32,7 +32,7 @@ class WatchedStructure final : public Structure {
     call([](Structure& s) { s.rebuild(); });
   }
   void certificate_failed(CertificateId failed) override {
-    call([=](Structure& s) { s.certificate_failed(failed); });
+    call([=](Structure& s) { s.certificate_failed(failed); }, true);
   }
   void insert(ObjectId object) override {
     call([=](Structure& s) { s.insert(object); });
@@ -71,7 +71,7 @@ class WatchedStructure final : public Structure {
 
  private:
   template <class Call>
-  void call(const Call& function) {
+  void call(const Call& function, bool failure = false) {
     try {
       function(*structure_);
     } catch (const Stopped&) {
@@ -79,14 +79,14 @@ class WatchedStructure final : public Structure {
     } catch (const std::bad_alloc&) {
       throw;
     } catch (...) {
-      done_();
+      done_(failure);
       throw;
     }
-    done_();
+    done_(failure);
   }
 
   std::unique_ptr<Structure> structure_;
-  std::function<void()> done_;
+  std::function<void(bool failure)> done_;
 };
 
 }  // namespace kinex::view

@@ -86,13 +86,14 @@
 #include "core/engine/structure.h"
 #include "core/motion/scene.h"
 #include "structures/parts/kinetic_list.h"
+#include "structures/parts/local_pairs.h"
 #include "structures/parts/tuple_changes.h"
 #include "structures/triangulation/equal_points.h"
 #include "structures/triangulation/triangulation_2.h"
 
 namespace kinex {
 
-class Delaunay2 final : public Structure {
+class Delaunay2 final : public Structure, public LocalPairs {
  public:
   // Kinds of events and their ids. Edges are written smaller id first. The first three are external
   // (see above), and so is kPass if there are more than two points; the others are internal.
@@ -136,7 +137,7 @@ class Delaunay2 final : public Structure {
   // The neighbours of a vertex, counter-clockwise from any. O(degree).
   std::vector<ObjectId> around(ObjectId vertex) const;
   // The same, ascending.
-  std::vector<ObjectId> neighbours(ObjectId vertex) const;
+  std::vector<ObjectId> neighbours(ObjectId vertex) const override;
   // The vertex for `object`: itself, or the one it is hidden behind; kNoObject: not present.
   ObjectId representative(ObjectId object) const { return points_.vertex_of(object); }
   bool on_line() const { return on_line_; }

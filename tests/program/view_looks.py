@@ -223,8 +223,11 @@ def check_animation(source, folder):
         fail(f"an animation that exists is replaced: {again.stderr}")
 
 
+LARGEST_RECORD = 300  # bytes, with its proof; one without takes some 110
+
+
 def check_long(viewer):
-    """A run whose data are packed opens and shows the same."""
+    """A run whose data are packed opens and shows the same; so small that 160,000 records have a page."""
     viewer.kinex("gen", "uniform-square", "--n", "300", "--seed", "5", "--maintain", "delaunay_2", "-o", "long.json")
     viewer.kinex("view", "long.json", "-o", "long.html")
     viewer.kinex("run", "long.json", "--events", "long.jsonl", "--audit", "none")
@@ -232,6 +235,11 @@ def check_long(viewer):
     if "DecompressionStream" not in text:
         fail("the data of a long run are not packed")
     events = [json.loads(line) for line in (viewer.folder / "long.jsonl").read_text().splitlines()][1:-1]
+    viewer.kinex("gen", "uniform-square", "--n", "3", "--maintain", "delaunay_2", "-o", "short.json")
+    viewer.kinex("view", "short.json", "-o", "short.html")
+    record = (len(text) - len((viewer.folder / "short.html").read_text(encoding="utf-8"))) / len(events)
+    if record > LARGEST_RECORD:
+        fail(f"a record of a long run takes {record:.0f} bytes of the page, more than {LARGEST_RECORD}")
     viewer.open("long.html")
     for k in (1, len(events) // 2, len(events)):
         shown = viewer.ask(f"(app.setEvent({k}), [kindOf(FIRST, {k}), FIRST.ids[{k - 1}].map(nameOf),"

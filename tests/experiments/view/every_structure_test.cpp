@@ -58,7 +58,7 @@ std::vector<Looks> look_after_every_call(const Scene& scene) {
     const Structure* seen = structure.get();
     made.push_back(seen);
     looks[i].name = std::string(seen->name());
-    const auto look = [&simulator, &looks, seen, i, id] {
+    const auto look = [&simulator, &looks, seen, i, id](bool) {
       LiveOnly visitor(simulator.queue(), id);
       seen->visit_proof(visitor);
       ++looks[i].visits;
