@@ -122,6 +122,7 @@ std::vector<StructureInfo> cones() {
 std::vector<StructureInfo> closest_pairs() {
   StructureInfo base;
   base.group = "closest_pair";
+  base.role = "diameter";
   base.shape = Attribute::Shape::kTuples;
   base.kinds = {
       {"replace", Effect::kSometimes, "another pair wins a duel"},
@@ -329,6 +330,7 @@ StructureInfo closest_discs() {
   info.refuse = beyond_space;
   info.shape = Attribute::Shape::kTuples;
   info.extents = Extents::kRadius;
+  info.role = "gap";
   info.reads = {{"regular_2"}};
   info.kinds = {
       {"replace", Effect::kSometimes, "another pair wins a duel"},

@@ -22,6 +22,17 @@ function growBox(box) {
       box[2 * axis + 1] = Math.max(box[2 * axis + 1], X[axis][object] + half);
     }
   }
+  if (box[0] <= box[1]) growByLines(box);
+}
+// Around points: so far up and down that every line passes through the middle half of the picture.
+function growByLines(box) {
+  const [x0, x1] = box, ends = [(3 * x0 + x1) / 4, (x0 + 3 * x1) / 4];
+  for (let line = 0; line < OBJECTS; ++line) {
+    if (!alive[line] || !IS_LINE[line]) continue;
+    const heights = ends.map(x => X[0][line] * x + X[1][line]);
+    box[2] = Math.min(box[2], Math.max(...heights));
+    box[3] = Math.max(box[3], Math.min(...heights));
+  }
 }
 // The box of most crossings of lines, where there are no points.
 function growByCrossings(box) {

@@ -171,6 +171,21 @@ const OUTLINES = {
     const around = circleThrough(...best);
     return [around, ...p.map(q => ({ from: around.centre, to: q, faint: true })), ...dots];
   },
+  // Two points with the circle that has them as diameter (in space a ball): no other point is in it.
+  diameter: (plane, [a, b]) => {
+    if (b === undefined) return [];
+    const p = plane.at(a), q = plane.at(b), centre = p.map((x, i) => (x + q[i]) / 2);
+    return [{ centre, radius: distanceOnScreen(plane, a, b) / 2 }, { from: p, to: q, wide: true }, { dot: p }, { dot: q }];
+  },
+  // Two discs with the gap between them.
+  gap: (plane, [a, b]) => {
+    if (b === undefined) return [];
+    const p = plane.at(a), q = plane.at(b), apart = distanceOnScreen(plane, a, b);
+    const [r, s] = [a, b].map(id => HALF.length > 0 ? Math.max(0, HALF[0][id] * plane.scale) : 0);
+    const along = share => p.map((x, i) => x + share / apart * (q[i] - x));
+    return [{ centre: p, radius: r }, { centre: q, radius: s },
+            ...(apart > r + s ? [{ from: along(r), to: along(apart - s), wide: true }] : [])];
+  },
   // Orders of lines: the vertices of their arrangement. In the list of a line those behind it cross it.
   crossings: (plane, ids) => {
     const n = Math.floor(Math.sqrt(ids.length)), shapes = [];
