@@ -91,8 +91,7 @@ class Lifted {
   Lifted(bool weighted, int n, std::uint64_t seed) {
     std::mt19937_64 engine(seed);
     const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
-    int root = 1;
-    while (std::pow(root, static_cast<int>(kAxes)) < n) root *= 2;
+    const double root = kAxes == 3 ? std::cbrt(n) : std::sqrt(n);
     for (int i = 0; i < n; ++i) {
       Line line{};
       for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -10,7 +10,7 @@ namespace oracles {
 // How often the triangulation of n points changes for t from 0 to 1: flips, points that show or hide,
 // vertices that enter or leave the hull, flips of its facets. `dimension`: 2 or 3. Origin and destination
 // are uniform in the unit square (cube); weights, if there are any, go from one to another number, both
-// uniform in [0, r^-2], where r is the smallest power of two with r^dimension >= n.
+// uniform in [0, n^(-2/dimension)].
 // O(n^(dimension + 2)) polynomials; doubles.
 std::uint64_t lifted_changes(int dimension, bool weighted, int n, std::uint64_t seed);
 

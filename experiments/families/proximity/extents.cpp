@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/families/proximity/experiments.h"
+#include "experiments/lab/grid_root.h"
 #include "experiments/lab/workload_parts.h"
 
 namespace kinex::families {
@@ -57,15 +58,15 @@ void generate_small(const lab::WorkloadParameters& parameters, Extents kind, Sce
 }
 
 // On a line from one random place of the unit square (cube, interval) at t = 0 to another at t = 1;
-// radii and half extents go from one random number to another, each positive and at most 1 / (4 sqrt(n)),
-// with the root rounded up to a power of two. Multiples of 2^-20.
+// radii and half extents go from one random number to another, each positive and at most a quarter of a
+// typical distance, n^(-1/d) / 4: however many there are, each meets about as many others. Multiples of 2^-20.
 void generate_random(const lab::WorkloadParameters& parameters, Extents kind, Scene& scene) {
   lab::WorkloadRandom random(parameters.seed);
   scene.start = 0;
   scene.end = Rational(1);
   scene.extents = kind;
-  std::int64_t root = 1;
-  while (root * root < parameters.n) root *= 2;
+  const std::int64_t largest =
+      std::max<std::int64_t>(1, lab::grid_over_root(parameters.n, parameters.dimension) / 4);
   const auto line = [&random](std::int64_t least, std::int64_t most) {
     const std::int64_t first = random.between(least, most), last = random.between(least, most);
     return std::vector<Rational>{lab::on_grid(first), lab::on_grid(last - first)};
@@ -74,7 +75,7 @@ void generate_random(const lab::WorkloadParameters& parameters, Extents kind, Sc
     Axes position, extents;
     for (int axis = 0; axis < parameters.dimension; ++axis) position.push_back(line(0, lab::kGridUnits));
     for (int axis = 0; axis < scene.extent_axes(); ++axis) {
-      extents.push_back(line(1, std::max<std::int64_t>(1, lab::kGridUnits / (4 * root))));
+      extents.push_back(line(1, largest));
     }
     add_extended(scene, "p" + std::to_string(i), std::move(position), std::move(extents));
   }

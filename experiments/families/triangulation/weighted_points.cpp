@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/families/triangulation/experiments.h"
+#include "experiments/lab/grid_root.h"
 #include "experiments/lab/workload_parts.h"
 
 namespace kinex::families {
@@ -99,16 +100,14 @@ void generate_small_moving_weights(const lab::WorkloadParameters& parameters, Sc
 }
 
 // On a line from one random place of the unit square (cube) at t = 0 to another at t = 1; weights go from
-// one random number to another, at most the square of a typical distance, n^(-2/d) with the root rounded up
-// to a power of two. Multiples of 2^-20.
+// one random number to another, at most the square of a typical distance, n^(-2/d). Multiples of 2^-20.
 void generate_random_weights(const lab::WorkloadParameters& parameters, Scene& scene) {
   lab::WorkloadRandom random(parameters.seed);
   scene.start = 0;
   scene.end = Rational(1);
   scene.extents = Extents::kWeight;
-  std::int64_t root = 1;
-  const auto power = [&] { return parameters.dimension == 3 ? root * root * root : root * root; };
-  while (power() < parameters.n) root *= 2;
+  const std::int64_t heaviest =
+      std::max<std::int64_t>(1, lab::grid_over_root(parameters.n, parameters.dimension, 2));
   const auto line = [&random](std::int64_t most) {
     const std::int64_t first = random.between(0, most), last = random.between(0, most);
     return std::vector<Rational>{lab::on_grid(first), lab::on_grid(last - first)};
@@ -116,7 +115,7 @@ void generate_random_weights(const lab::WorkloadParameters& parameters, Scene& s
   for (int i = 0; i < parameters.n; ++i) {
     std::vector<std::vector<Rational>> axes;
     for (int axis = 0; axis < parameters.dimension; ++axis) axes.push_back(line(lab::kGridUnits));
-    axes.push_back(line(std::max<std::int64_t>(1, lab::kGridUnits / (root * root))));
+    axes.push_back(line(heaviest));
     lab::add_object(scene, "p" + std::to_string(i), std::move(axes));
   }
 }

@@ -3,12 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/numbers/polynomial.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
+#include "experiments/lab/grid_root.h"
 #include "experiments/lab/scene_run.h"
+#include "experiments/lab/workload_parts.h"
 #include "tests/experiments/expect_input_error.h"
 
 namespace kinex {
@@ -71,8 +78,12 @@ TEST(Workload, EveryFamilyIsAValidScene) {
       if (!workload.bodies) {
         // n objects, or n and m of two kinds.
         const std::map<std::string_view, std::size_t> others{
-            {"hull-worst", 16}, {"pass-over-row", 16}, {"pass-along-row", 16},
-            {"seesaw", 16},        {"vernier", 16},       {"comb", 19},
+            {"hull-worst", 16},
+            {"pass-over-row", 16},
+            {"pass-along-row", 16},
+            {"seesaw", 16},
+            {"vernier", 16},
+            {"comb", 19},
             {"colours-along-row", 16},
             {"vernier-turned", 16},
             {"points-through-lines", 16},
@@ -89,6 +100,52 @@ TEST(Workload, EveryFamilyIsAValidScene) {
       scene.maintain.clear();
       const std::string text = formats::write_scene(scene);
       EXPECT_EQ(formats::write_scene(formats::parse_scene(text, "again")), text) << workload.name;
+    }
+  }
+}
+
+TEST(Workload, RootsAreRoundedDownToTheGridAndNoFurther) {
+  for (const std::int64_t n : {1, 2, 3, 8, 16, 48, 68, 1000, 9999991}) {
+    for (const auto& [root, power] :
+         {std::pair(1, 1), std::pair(2, 1), std::pair(2, 2), std::pair(3, 1), std::pair(3, 2)}) {
+      const std::int64_t units = lab::grid_over_root(n, root, power);
+      Integer most = 1, low = 1, above = 1;
+      for (int k = 0; k < power; ++k) low *= Integer(n), above *= Integer(n);
+      for (int k = 0; k < root; ++k) {
+        most *= Integer(lab::kGridUnits);
+        low *= Integer(units);
+        above *= Integer(units + 1);
+      }
+      EXPECT_LE(low, most) << n << " " << root << " " << power;
+      EXPECT_GT(above, most) << n << " " << root << " " << power;
+    }
+  }
+}
+
+// The largest of many radii or weights is nearly what a scene of n has at most, whatever n: of 48 as of 64.
+TEST(Workload, RandomExtentsScaleWithEverySize) {
+  const auto largest = [](std::string_view name, int n, int dimension) {
+    const Scene scene = generate(name, n, 1, 1, dimension);
+    double most = 0;
+    for (const SceneObject& object : scene.objects) {
+      const Trajectory& trajectory = object.motion.pieces[0].trajectory;
+      for (const int t : {0, 1}) {
+        most = std::max(most, trajectory.position(dimension, Rational(t)).to_double());
+      }
+    }
+    return most;
+  };
+  for (const int n : {48, 64, 68, 100}) {
+    for (const int dimension : {2, 3}) {
+      const double distance = std::pow(n, -1.0 / dimension);
+      for (const char* const name : {"random-discs", "random-boxes"}) {
+        const double share = largest(name, n, dimension) / distance;
+        EXPECT_LE(share, 0.25) << name << " " << n;
+        EXPECT_GE(share, 0.23) << name << " " << n;
+      }
+      const double share = largest("random-weights", n, dimension) / distance / distance;
+      EXPECT_LE(share, 1.0) << n;
+      EXPECT_GE(share, 0.92) << n;
     }
   }
 }
