@@ -6,6 +6,7 @@
 
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/lab/colours.h"
 #include "experiments/lab/family.h"
 #include "experiments/lab/workload_parts.h"
 #include "structures/registry.h"
@@ -151,6 +152,7 @@ Scene generate_scene(const Workload& workload, WorkloadParameters parameters) {
                           : kinex::usual_structure(Reading{workload.maintain}, parameters.dimension);
   request.label = request.structure;
   if (!request.structure.empty()) scene.maintain.push_back(std::move(request));
+  name_colours(scene);
   return scene;
 }
 
@@ -215,6 +217,7 @@ Scene generate_scene(std::string_view workload, const WorkloadParameters& parame
   if (info != nullptr && info->graph) join_vertices(scene);
   if (info != nullptr) give_extents(scene, info->usual_extents());
   if (info != nullptr) make_lines(scene, info->lines);
+  name_colours(scene);
   return scene;
 }
 

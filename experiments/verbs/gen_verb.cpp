@@ -12,6 +12,7 @@
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
+#include "experiments/lab/colours.h"
 #include "experiments/lab/explanation.h"
 #include "experiments/lab/workload.h"
 #include "experiments/verbs/option_values.h"
@@ -126,6 +127,7 @@ void generate(const GenOptions& options, const Voice& voice) {
     }
   }
   if (!options.maintain.empty()) formats::set_maintain(scene, options.maintain);
+  lab::name_colours(scene);
   if (scene.has_bodies()) check_bodies(scene, *workload);
   write_result(options.output, options.force, formats::write_scene(scene));
   voice.detail(scene.name + ", " + formats::counted(scene.objects.size(), "object", "objects") +

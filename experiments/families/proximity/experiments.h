@@ -26,6 +26,7 @@ void generate_exchange_in_all_orders(const lab::WorkloadParameters&, Scene&);
 // graphs.cpp
 void generate_parallel_edges(const lab::WorkloadParameters&, Scene&);
 void generate_random_graph(const lab::WorkloadParameters&, Scene&);
+void generate_random_planar_graph(const lab::WorkloadParameters&, Scene&);
 // extents.cpp
 void generate_fan_of_discs(const lab::WorkloadParameters&, Scene&);
 void generate_fan_of_boxes(const lab::WorkloadParameters&, Scene&);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A closest pair, of one colour or two, that changes nm - 1 times, and a spanning tree that changes
 // 2nm - 2 times.
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -41,16 +42,22 @@ void generate_pass_along_row(const lab::WorkloadParameters& parameters, Scene& s
   for (int i = 0; i < n; ++i) add_passing(scene, i, m);
 }
 
-// The same with n points at rest and n that pass, in turn: the classes of a structure for two
-// colours are the row and those that pass it. All n^2 pairs are the closest of two colours in turn:
-// n^2 - 1 changes.
+// The same with colours: the row of m is red, the n that pass it are blue. They are in turn as long as there
+// are both, so that of as many the two colours are also the objects at even and at odd places. All nm pairs
+// are the closest of two colours in turn: nm - 1 changes.
 void generate_colours_along_row(const lab::WorkloadParameters& parameters, Scene& scene) {
-  const int n = parameters.n;
+  const int n = parameters.n, m = parameters.m;
   scene.start = 0;
-  scene.end = lab::fraction(2 * std::int64_t{n} * n - 1, 2);
-  for (int i = 0; i < n; ++i) {
-    add_resting(scene, i);
-    add_passing(scene, i, n);
+  scene.end = lab::fraction(2 * std::int64_t{n} * m - 1, 2);
+  for (int i = 0; i < std::max(n, m); ++i) {
+    if (i < m) {
+      add_resting(scene, i);
+      scene.objects.back().colour = "red";
+    }
+    if (i < n) {
+      add_passing(scene, i, m);
+      scene.objects.back().colour = "blue";
+    }
   }
 }
 

@@ -26,6 +26,10 @@ void add_space_cells(lab::Catalogue& catalogue, lab::Extent extent);
 void generate_skew_curves(const lab::WorkloadParameters&, Scene&);
 // skew_rows.cpp
 void generate_skew_rows(const lab::WorkloadParameters&, Scene&);
+// sheared_lattices.cpp
+void generate_sheared_lattice(const lab::WorkloadParameters&, Scene&);
+void generate_twice_sheared_lattice(const lab::WorkloadParameters&, Scene&);
+void generate_bipyramid(const lab::WorkloadParameters&, Scene&);
 // kds_section_7.cpp
 std::vector<lab::SeriesPoint> kds_section_7_delaunay_points(bool quick);
 lab::PartReport kds_section_7_delaunay_report(const std::vector<lab::SeriesResult>& results,

@@ -17,6 +17,17 @@ lab::FamilyExperiments triangulation_experiments() {
        "--m points pass between two skew rows of --n points each in space, and each "
        "changes all cells",
        3, 3, 3, false, false, true, "delaunay_3", generate_skew_rows, 2, 1, 1},
+      {"sheared-lattice",
+       "--n points of a lattice that is sheared through the square or cubic one: all cells change "
+       "at "
+       "integer times",
+       2, 2, 3, false, false, false, "", generate_sheared_lattice},
+      {"twice-sheared-lattice",
+       "--n points of a lattice in space, sheared along two axes through the cubic one", 3, 3, 3,
+       false, false, false, "delaunay_3", generate_twice_sheared_lattice},
+      {"bipyramid",
+       "a circle of --n points and two apices, all on one sphere at t = 0: 4 are an octahedron", 3,
+       3, 3, false, false, false, "delaunay_3", generate_bipyramid, 3},
       {"show-and-hide",
        "--n light points pass under a strip of 2 --m heavy ones: 4n(m - 1) times one shows "
        "or hides",
@@ -26,12 +37,14 @@ lab::FamilyExperiments triangulation_experiments() {
       {"small-weights",
        "points of small integers with weights from a generator that every program can repeat", 2, 2,
        3, true, false, false, "regular_2", generate_small_weights},
-      {"small-moving-weights", "points of small integers with weights that change, as repeatable", 2, 2, 3, true,
-       false, false, "regular_2", generate_small_moving_weights},
+      {"small-moving-weights", "points of small integers with weights that change, as repeatable",
+       2, 2, 3, true, false, false, "regular_2", generate_small_moving_weights},
       {"random-weights", "points of linear motion and weight in the unit square", 2, 2, 3, true,
        false, false, "regular_2", generate_random_weights}};
   lab::set_kind(family.workloads, lab::SceneKind::kRandom, {"random-weights"});
-  lab::set_kind(family.workloads, lab::SceneKind::kTies, {"small-weights", "small-moving-weights"});
+  lab::set_kind(family.workloads, lab::SceneKind::kTies,
+                {"small-weights", "small-moving-weights", "sheared-lattice",
+                 "twice-sheared-lattice", "bipyramid"});
   family.add_cells = add_triangulation_cells;
   family.studies = {{"triangulation_growth", "regular_2", "regular_3", study_triangulation_growth}};
   family.event_bounds = {"passes"};

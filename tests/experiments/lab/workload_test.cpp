@@ -13,6 +13,7 @@
 #include "core/numbers/polynomial.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
+#include "experiments/lab/colours.h"
 #include "experiments/lab/grid_root.h"
 #include "experiments/lab/scene_run.h"
 #include "experiments/lab/workload_parts.h"
@@ -87,6 +88,7 @@ TEST(Workload, EveryFamilyIsAValidScene) {
             {"colours-along-row", 16},
             {"vernier-turned", 16},
             {"points-through-lines", 16},
+            {"bipyramid", 10},
             {"skew-curves", 17},
             {"skew-rows", 17},
             {"gaps-along-row", 16},
@@ -148,6 +150,25 @@ TEST(Workload, RandomExtentsScaleWithEverySize) {
       EXPECT_GE(share, 0.92) << n;
     }
   }
+}
+
+// Of a row and points that pass it, of different numbers, the colours are two classes, whatever maintains them.
+TEST(Workload, RequestsNameTheColoursOfARow) {
+  const std::vector<std::string> colours{"red", "blue"};
+  lab::WorkloadParameters parameters;
+  parameters.n = 2;
+  parameters.m = 5;
+  Scene scene = lab::generate_scene("colours-along-row", parameters, "bichromatic_pair_all");
+  EXPECT_EQ(scene.maintain.at(0).colours, colours);
+  EXPECT_EQ(generate("colours-along-row", 2, 1, 1, 0, 5).maintain.at(0).colours, colours);
+  formats::set_maintain(scene, {"closest_pair_all", "bichromatic_pair_delaunay"});
+  lab::name_colours(scene);
+  EXPECT_TRUE(scene.maintain.at(0).colours.empty());
+  EXPECT_EQ(scene.maintain.at(1).colours, colours);
+  const auto red = std::count_if(scene.objects.begin(), scene.objects.end(),
+                                 [](const SceneObject& object) { return object.colour == "red"; });
+  EXPECT_EQ(red, 5);
+  EXPECT_EQ(scene.objects.size(), 7u);
 }
 
 // The number of changes is that asked for, each at an instant of its own; objects are alive when stated.
