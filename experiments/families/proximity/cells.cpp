@@ -44,14 +44,21 @@ void add_rows(lab::Catalogue& catalogue, int size) {
 
 void add_small_integers(lab::Catalogue& catalogue) {
   struct Counted {
-    int n;
+    int n, dimension;
     std::uint64_t seed;
     int pair, tree;
   };
-  for (const Counted& one : {Counted{6, 1, 4, 7}, {8, 1, 5, 14}, {10, 2, 8, 22}, {12, 3, 7, 20}}) {
+  for (const Counted& one : {Counted{6, 2, 1, 4, 7},
+                             {8, 2, 1, 5, 14},
+                             {10, 2, 2, 8, 22},
+                             {12, 2, 3, 7, 20},
+                             {6, 3, 1, 4, 7},
+                             {7, 3, 2, 7, 11},
+                             {8, 3, 1, 5, 13}}) {
     const auto cell_of = [&one](const char* structure) {
       lab::Cell cell = lab::worst_case_cell(structure, "small-integers", one.n, 1, 0.1);
       cell.parameters.seed = one.seed;
+      if (one.dimension != 2) cell.parameters.dimension = one.dimension;
       return cell;
     };
     const char* const source = "counted by brute force over exact positions";

@@ -37,6 +37,20 @@ void add_gap_cells(lab::Catalogue& catalogue, lab::Extent extent) {
     add_exactly(catalogue, lab::worst_case_cell(kStructure, "fan-of-discs", n, 1, 0.1),
                 "closest_pair_discs.fan", 2, "no two meet before and after all centres coincide: 2");
   }
+  for (const int n : {3, 5}) {
+    lab::Cell cell = lab::worst_case_cell(kStructure, "fan-of-discs", n, 1, 0.1);
+    cell.parameters.dimension = 3;
+    add_exactly(catalogue, std::move(cell), "closest_pair_discs.fan", 2,
+                "no two meet before and after all centres coincide: 2");
+  }
+  {
+    lab::Cell cell = lab::worst_case_cell(kStructure, "apart-discs", 8, 1, 0.3);
+    cell.question = "Do the hard bounds hold?";
+    cell.parameters.dimension = 3;
+    cell.random = true;
+    cell.audit = AuditLevel::kEvents;
+    catalogue.cells.push_back(std::move(cell));
+  }
   for (const int n : {16, 64, 256}) {
     if (n > 64 && extent == lab::Extent::kQuick) continue;
     for (const char* const workload : {"apart-discs", "random-discs"}) {

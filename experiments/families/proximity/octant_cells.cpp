@@ -76,9 +76,22 @@ void add_norm_trees_of_small_integers(lab::Catalogue& catalogue, const char* str
   }
 }
 
+// Structures that sort have all exchanges of points that are far apart.
+void add_exchanges(lab::Catalogue& catalogue) {
+  for (const int n : {2, 3, 5, 8}) {
+    lab::Cell cell = lab::worst_case_cell("octants_listed", "exchange-in-all-orders", n, 1, 0.1);
+    cell.audit = AuditLevel::kEvents;
+    cell.expectations.push_back(
+        lab::expect_exactly("octants_listed.exchanges", "kind.order", Integer(2 * n * (n - 1)),
+                            "every pair exchanges its order in four lists: 4 C(n,2)"));
+    catalogue.cells.push_back(std::move(cell));
+  }
+}
+
 }  // namespace
 
 void add_octant_cells(lab::Catalogue& catalogue, lab::Extent extent) {
+  add_exchanges(catalogue);
   for (const char* const structure : kOctants) {
     add_octants_of_small_integers(catalogue, structure);
     for (const int n : {16, 64, 256}) {

@@ -2,9 +2,9 @@
 // Questions: do closest pairs of two colours, nearest sites and cells of sites change exactly as often as counted by
 //   hand, or by brute force? Do all structures of one attribute agree? Do they keep their bounds in
 //   random motion?
-// Sources: pass_along_row.cpp counts the changes of rows; the objects at even and at odd places are
-//   the two colours. Those of small integers were counted by brute force over exact positions
-//   between all critical times, by another program.
+// Sources: pass_along_row.cpp counts the changes of rows. Those of small integers, where the objects at even
+//   and at odd places are the two colours, were counted by brute force over exact positions between all
+//   critical times, by another program.
 // Expected: the integers below, in every run; every hard bound, and every audit.
 // Cost: about 10 s.
 #include <cstdint>
@@ -36,6 +36,19 @@ struct Counted {
   int cell;                    // likewise; -1: not in the plane
 };
 
+// All pairs of a red and a blue point are the closest in turn.
+void add_colours_along_rows(lab::Catalogue& catalogue) {
+  for (const char* const structure : {"bichromatic_pair_delaunay", "bichromatic_pair_all"}) {
+    for (const auto& [m, n] :
+         {std::pair(2, 2), std::pair(3, 2), std::pair(3, 3), std::pair(4, 3), std::pair(2, 5)}) {
+      lab::Cell cell = lab::worst_case_cell(structure, "colours-along-row", n, 1, 0.1);
+      cell.parameters.m = m;
+      add_counted(catalogue, std::move(cell), "bichromatic_pair.all_pairs", n * m - 1,
+                  "all nm pairs of two colours are the closest in turn: nm - 1");
+    }
+  }
+}
+
 void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
   for (const Counted& one : {Counted{6, 2, 1, 4, 5, 1, 4 + 5},
                              {8, 2, 1, 5, 3, 2, 4 + 4},
@@ -53,12 +66,12 @@ void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
     add("closest_pair_all", "closest_pair.small_integers", one.pair);
     add("bichromatic_pair_all", "bichromatic_pair.small_integers", one.colours);
     add("nearest_site", "nearest_site.small_integers", one.nearest);
+    add("bichromatic_pair_delaunay", "bichromatic_pair.small_integers", one.colours);
     if (one.dimension != 2) continue;
     for (const char* structure : {"closest_pair_range_tree", "closest_pair_cones",
                                   "closest_pair_local", "closest_pair_bins"}) {
       add(structure, "closest_pair.small_integers", one.pair);
     }
-    add("bichromatic_pair_delaunay", "bichromatic_pair.small_integers", one.colours);
     add("voronoi_cell_2", "voronoi_cell.small_integers", one.cell);
   }
 }
@@ -75,6 +88,7 @@ void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent) {
                   "all nm pairs are the closest in turn: nm - 1");
     }
   }
+  add_colours_along_rows(catalogue);
   add_pairs_of_small_integers(catalogue);
   for (const char* structure :
        {"closest_pair_all", "closest_pair_range_tree", "closest_pair_cones", "closest_pair_local",

@@ -39,6 +39,37 @@ void add_quadratic(lab::Catalogue& catalogue, int size, int flips, double cost) 
   catalogue.cells.push_back(std::move(cell));
 }
 
+void add_integers_in_the_plane(lab::Catalogue& catalogue) {
+  struct Counted {
+    int n;
+    std::uint64_t seed;
+    int flips, hull_flips;
+  };
+  for (const Counted& one :
+       {Counted{6, 1, 10, 8}, {8, 1, 17, 8}, {10, 2, 34, 12}, {12, 3, 29, 5}}) {
+    lab::Cell cell = lab::worst_case_cell("delaunay_2", "small-integers", one.n, 1, 0.1);
+    cell.parameters.seed = one.seed;
+    cell.audit = AuditLevel::kEvents;
+    const char* const source = "counted by brute force over exact positions";
+    cell.expectations.push_back(lab::expect_exactly("delaunay_2.small_integers.flips", "kind.flip",
+                                                    Integer(one.flips), source));
+    cell.expectations.push_back(lab::expect_exactly("delaunay_2.small_integers.hull",
+                                                    "kind.enter+kind.leave",
+                                                    Integer(one.hull_flips), source));
+    catalogue.cells.push_back(std::move(cell));
+  }
+}
+
+// Four, eight and four of the eight triangles of a grid are replaced by others, two at a time.
+void add_sheared_grid(lab::Catalogue& catalogue) {
+  lab::Cell cell = lab::worst_case_cell("delaunay_2", "sheared-lattice", 9, 1, 0.1);
+  cell.audit = AuditLevel::kEvents;
+  cell.expectations.push_back(lab::expect_exactly("delaunay_2.sheared_grid", "kind.flip",
+                                                  Integer(8),
+                                                  "4, 8 and 4 cells change at t = -1, 0 and 1"));
+  catalogue.cells.push_back(std::move(cell));
+}
+
 void add_random_motion(lab::Catalogue& catalogue) {
   for (const ReferenceMean& reference : reference_means("delaunay")) {
     lab::Cell cell = uniform_cell("delaunay_2", reference.n, 2);
@@ -64,6 +95,8 @@ void add_triangulation_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   if (extent == lab::Extent::kFull) {
     for (const int size : {32, 48, 64}) add_quadratic(catalogue, size, 0, 5);
   }
+  add_integers_in_the_plane(catalogue);
+  add_sheared_grid(catalogue);
   add_random_motion(catalogue);
   add_space_cells(catalogue, extent);
   add_weighted_cells(catalogue, extent);
