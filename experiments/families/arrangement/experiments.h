@@ -4,11 +4,13 @@
 #define KINEX_EXPERIMENTS_FAMILIES_ARRANGEMENT_EXPERIMENTS_H
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "experiments/lab/bench_row.h"
 #include "experiments/lab/cell.h"
 #include "experiments/lab/judge.h"
+#include "experiments/lab/part.h"
 #include "experiments/lab/workload.h"
 
 namespace kinex::families {
@@ -17,6 +19,10 @@ namespace kinex::families {
 void add_arrangement_cells(lab::Catalogue& catalogue, lab::Extent extent);
 // cutting_study.cpp
 lab::StudyResult study_cuttings(bool quick, const std::function<bool()>& go_on);
+// kds_section_7.cpp
+std::vector<lab::SeriesPoint> kds_section_7_arrangements_points(bool quick);
+lab::PartReport kds_section_7_arrangements_report(const std::vector<lab::SeriesResult>& results,
+                                                  const std::string& command);
 // bench_rows.cpp
 std::vector<lab::BenchRow> arrangement_bench_rows(int scale);
 // lines_and_points.cpp

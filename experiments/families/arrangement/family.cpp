@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "experiments/families/arrangement/experiments.h"
+#include "experiments/families/points/experiments.h"
 
 namespace kinex::families {
 
@@ -85,6 +86,9 @@ lab::FamilyExperiments arrangement_experiments() {
                             {8, 12},
                             {{8, 12, 16}, {8, 16, 24, 32}}});
   }
+  family.papers = {
+      kds_report({{"section-7-arrangements", "arrangements of moving lines", 13,
+                   kds_section_7_arrangements_points, kds_section_7_arrangements_report}})};
   family.bench_rows = arrangement_bench_rows;
   return family;
 }

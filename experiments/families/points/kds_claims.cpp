@@ -90,9 +90,10 @@ std::vector<lab::FitPoint> means_of(const std::vector<lab::SeriesResult>& result
 }
 
 std::vector<lab::FitPoint> ratios_of(const std::vector<lab::SeriesResult>& results, KdsRuns runs,
-                                     const std::string& over, const std::string& under) {
+                                     const std::string& over, const std::string& under,
+                                     int dimension) {
   std::vector<lab::FitPoint> points;
-  for (const lab::SeriesResult* result : results_of(results, runs)) {
+  for (const lab::SeriesResult* result : results_of(results, runs, dimension)) {
     lab::RunningMean mean;
     for (const lab::RunRecord& run : result->runs) {
       const double below = lab::quantity_of(run, under);
@@ -247,6 +248,26 @@ KdsAgreement agreement_of(const std::vector<lab::SeriesResult>& results,
     }
   }
   return agreement;
+}
+
+lab::PaperClaim agreement_claim(const std::vector<lab::SeriesResult>& results, std::string id,
+                                std::string statement, KdsRuns small,
+                                const std::vector<std::string_view>& structures) {
+  const KdsAgreement agreement = agreement_of(results, structures);
+  lab::PaperClaim claim;
+  claim.id = std::move(id);
+  claim.kind = "finding";
+  claim.statement = std::move(statement);
+  claim.expected = "as many changes by each, on every scene";
+  claim.tolerance = "none";
+  keep_small_run(claim, small);
+  claim.verdict = !agreement.difference.empty() ? lab::Verdict::kRefuted
+                  : agreement.scenes > 0        ? lab::Verdict::kConfirmed
+                                                : lab::Verdict::kOpen;
+  claim.observed = agreement.difference.empty()
+                       ? fmt::format("as many on all {} scenes that several have", agreement.scenes)
+                       : agreement.difference;
+  return claim;
 }
 
 lab::Figure growth_figure(std::string title, std::string caption, std::string y,

@@ -40,7 +40,8 @@ std::vector<lab::FitPoint> means_of(const std::vector<lab::SeriesResult>& result
                                     const std::string& quantity, int dimension = 2);
 // The ratio of two of the same runs, scene by scene: its means with their errors.
 std::vector<lab::FitPoint> ratios_of(const std::vector<lab::SeriesResult>& results, KdsRuns runs,
-                                     const std::string& over, const std::string& under);
+                                     const std::string& over, const std::string& under,
+                                     int dimension = 2);
 // The ratio of the same quantity in the runs of two structures on the same scenes.
 std::vector<lab::FitPoint> ratios_of(const std::vector<lab::SeriesResult>& results, KdsRuns over,
                                      KdsRuns under, const std::string& quantity);
@@ -85,6 +86,11 @@ struct KdsAgreement {
 };
 KdsAgreement agreement_of(const std::vector<lab::SeriesResult>& results,
                           const std::vector<std::string_view>& structures);
+
+// "as many changes by each, on every scene": confirmed if several structures have a scene, and agree on all.
+lab::PaperClaim agreement_claim(const std::vector<lab::SeriesResult>& results, std::string id,
+                                std::string statement, KdsRuns small,
+                                const std::vector<std::string_view>& structures);
 
 // A picture of counts over n, each with the power that fits it.
 lab::Figure growth_figure(std::string title, std::string caption, std::string y,

@@ -65,6 +65,10 @@ lab::PartReport kds_section_7_hitting_report(const lab::StudyResult& result,
 lab::StudyResult study_tree_diameter(bool quick, const std::function<bool()>& go_on);
 lab::PartReport kds_section_7_diameter_report(const lab::StudyResult& result,
                                               const std::string& command);
+// kds_section_7_clusters.cpp
+lab::StudyResult study_tree_clusters(bool quick, const std::function<bool()>& go_on);
+lab::PartReport kds_section_7_clusters_report(const lab::StudyResult& result,
+                                              const std::string& command);
 // small_integers.cpp
 void generate_small_integers(const lab::WorkloadParameters&, Scene&);
 // pass_over_row.cpp

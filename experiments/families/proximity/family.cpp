@@ -145,7 +145,9 @@ lab::FamilyExperiments proximity_experiments() {
                   {"section-7-tree-diameter", "the longest path of a spanning tree", 10, no_runs,
                    nullptr, study_tree_diameter, kds_section_7_diameter_report},
                   {"section-7-hitting", "points that hit all pairs of discs that meet", 11, no_runs,
-                   nullptr, study_hitting_sets, kds_section_7_hitting_report}})};
+                   nullptr, study_hitting_sets, kds_section_7_hitting_report},
+                  {"section-7-clusters", "what a change of a spanning tree costs by clusters", 12,
+                   no_runs, nullptr, study_tree_clusters, kds_section_7_clusters_report}})};
   family.bench_rows = proximity_bench_rows;
   return family;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/families/arrangement/experiments.h"
 #include "experiments/families/proximity/experiments.h"
 #include "experiments/families/triangulation/experiments.h"
 
@@ -104,6 +105,19 @@ TEST(KdsAgreement, NamesTheFirstSceneThatDiffers) {
   EXPECT_THAT(agreement(6).difference, HasSubstr("seed=2"));
 }
 
+TEST(KdsAgreement, AClaimNeedsASceneThatSeveralHave) {
+  const families::KdsRuns other{"closest_pair_all", kRuns.workload};
+  const auto verdict = [&](const std::vector<lab::SeriesResult>& results) {
+    return families::agreement_claim(results, "id", "statement", kRuns,
+                                     {kRuns.structure, other.structure})
+        .verdict;
+  };
+  EXPECT_EQ(verdict({result_of(kRuns, 3, {8})}), lab::Verdict::kOpen);
+  EXPECT_EQ(verdict({result_of(kRuns, 3, {8}), result_of(other, 3, {8})}),
+            lab::Verdict::kConfirmed);
+  EXPECT_EQ(verdict({result_of(kRuns, 3, {8}), result_of(other, 3, {7})}), lab::Verdict::kRefuted);
+}
+
 TEST(KdsRatios, AreTakenSceneByScene) {
   const std::vector<lab::SeriesResult> results{result_of(kRuns, 3, {8, 4}),
                                                result_of({"other", kRuns.workload}, 3, {2, 4})};
@@ -120,7 +134,8 @@ TEST(Section7, EveryClaimHasRuns) {
       {families::kds_section_7_delaunay_points, families::kds_section_7_delaunay_report},
       {families::kds_section_7_pairs_points, families::kds_section_7_pairs_report},
       {families::kds_section_7_trees_points, families::kds_section_7_trees_report},
-      {families::kds_section_7_meetings_points, families::kds_section_7_meetings_report}};
+      {families::kds_section_7_meetings_points, families::kds_section_7_meetings_report},
+      {families::kds_section_7_arrangements_points, families::kds_section_7_arrangements_report}};
   for (const auto& [points, report] : parts) {
     for (const bool quick : {true, false}) {
       std::vector<lab::SeriesResult> results;
