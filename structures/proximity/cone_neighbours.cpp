@@ -142,22 +142,25 @@ Integer most_changes_of_one(std::size_t n) {
 
 }  // namespace
 
-std::optional<Integer> ConeNeighbours::most_pointer_changes(const BoundContext& context) const {
+bool ConeNeighbours::has_segments(const BoundContext& context) {
+  return context.plain() && context.degree <= 1 && context.objects() > 0;
+}
+
+Integer ConeNeighbours::most_pointer_changes(const BoundContext& context) const {
   const std::size_t n = context.objects();
-  if (!context.plain() || context.degree > 1 || n == 0) return std::nullopt;
   return counted(frame().cones() * n) * most_changes_of_one(n);
 }
 
 void ConeNeighbours::add_bounds(const BoundContext& context,
                                 std::vector<BoundCheck>& result) const {
-  const std::optional<Integer> most = most_pointer_changes(context);
-  if (!most) return;
+  if (!has_segments(context)) return;
   const StructureLedger& ledger = *context.ledger;
   const std::size_t n = context.objects();
   const auto points = ledger.by_kind.find("point");
   result.push_back(at_most(std::string(name()) + ".point",
                            "pieces of the lower envelope of n - 1 segments, for each pointer",
-                           *most, counted(points == ledger.by_kind.end() ? 0 : points->second)));
+                           most_pointer_changes(context),
+                           counted(points == ledger.by_kind.end() ? 0 : points->second)));
   result.push_back(
       at_most(std::string(name()) + ".external", "the same for the pointers into cones that count",
               counted(frame().counted() * n) * most_changes_of_one(n), counted(ledger.external)));

@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <vector>
 
 #include "core/engine/kernel.h"
@@ -78,9 +77,10 @@ class ConeNeighbours : public Structure {
   }
   // A failure was repaired: reports what has changed, now or when the instant is over.
   void repaired();
-  // How often pointers change without flight-plan changes, of linear motions; nullopt for other runs, and
-  // without points.
-  std::optional<Integer> most_pointer_changes(const BoundContext& context) const;
+  // A pointer follows a lower envelope of segments: linear motions without flight-plan changes, and some point.
+  static bool has_segments(const BoundContext& context);
+  // How often all pointers change then. Requires has_segments().
+  Integer most_pointer_changes(const BoundContext& context) const;
   // The number of events "point" in such runs; external ones.
   void add_bounds(const BoundContext& context, std::vector<BoundCheck>& result) const;
   void check_woods(AuditReport& report) const;

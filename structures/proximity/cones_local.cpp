@@ -179,12 +179,12 @@ std::vector<BoundCheck> ConesLocal::bounds(const BoundContext& context) const {
           "root, and where pieces meet",
           counted(frame().cones()) * pair_sign_changes(context.pieces, context.degree),
           counted(ledger.failures))};
-  if (const std::optional<Integer> most = most_pointer_changes(context)) {
+  if (has_segments(context)) {
     result.push_back(at_most(own + ".failures",
                              "a failure that is the only one of its wood at its instant changes "
                              "two pointers, each at most "
                              "as often as the lower envelope of n - 1 segments",
-                             *most >> 1, counted(alone_)));
+                             most_pointer_changes(context) >> 1, counted(alone_)));
   }
   add_bounds(context, result);
   return result;
