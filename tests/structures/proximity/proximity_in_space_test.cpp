@@ -103,7 +103,7 @@ TEST(ProximityInSpace, ReferenceCounts) {
     }
     EXPECT_GE(run.ledger(kCycles).failures, row.swaps);
     EXPECT_LT(run.ledger(kCycles).failures, run.ledger(kList).failures);
-    // nearest_site is for the plane.
+    // nearest_site has the same counts beside this tournament (nearest_site_test.cpp).
     Key to_first;
     to_first.kind = Key::Kind::kSquaredDistance;
     to_first.object = 0;
