@@ -57,7 +57,7 @@ const std::vector<std::string>& kept() {
       scene(
           R"("dimension": 1, "$schema": "scene.schema.json", "description": "three edges", "source": "by hand", )"
           R"("expect": {"z": [1.0, null], "a": "b"})",
-          R"({"id": "a", "ends": ["u", "v"], "motion": [["1/3", 1]]}, )"
+          R"({"id": "a", "ends": ["u", "v"], "motion": [["1/4", 1]]}, )"
           R"({"id": "b", "ends": ["v", "w"], "motion": [[2]]}, {"id": "c", "ends": ["w", "u"], "motion": [[3, -1]]})",
           R"("graph_mst_list")"),
       scene(R"("dimension": 1)",
@@ -170,7 +170,9 @@ TEST(MovingFeaturesIdentity, AllWorkloads) {
       parameters.n = 6;
       one.scene = lab::generate_scene(workload, parameters);
     } catch (const InputError&) {
-      one.scene = lab::generate_scene(workload, {});
+      lab::WorkloadParameters power;
+      power.n = 8;
+      one.scene = lab::generate_scene(workload, power);
     }
     if (!one.scene.end) one.scene.end = one.scene.start + Rational(1);
     WrittenFeatures features;
@@ -190,7 +192,7 @@ TEST(MovingFeaturesIdentity, AllWorkloads) {
       ++near;
     }
   }
-  EXPECT_GT(same, 30u);
+  EXPECT_GT(same, 20u);
   EXPECT_GT(near, 0u);
   EXPECT_LE(reasons.size(), 5u) << testing::PrintToString(reasons);
 }
