@@ -90,12 +90,12 @@ def check_discs(viewer):
 
 
 def check_lines(viewer):
-    """Lines far above and below the points are in the picture."""
+    """Lines above and below the points are in the picture."""
     def line(name, height):
         return {"id": name, "line": True, "motion": [["1/10"], [height]]}
     viewer.kinex("gen", "random-lines-and-points", "--n", "6", "--maintain", "points_in_arrangement", "-o", "lines.json")
     scene = json.loads((viewer.folder / "lines.json").read_text())
-    scene["objects"] += [line("high", "3"), line("low", "-2")]
+    scene["objects"] += [line("high", "8/5"), line("low", "-3/5")]
     (viewer.folder / "lines.json").write_text(json.dumps(scene))
     viewer.kinex("view", "lines.json", "-o", "lines.html")
     viewer.open("lines.html")

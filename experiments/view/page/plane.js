@@ -14,6 +14,12 @@ const WHOLE_RUN = (() => {
 })();
 function emptyBox() { return DRAWN.flatMap(() => [Infinity, -Infinity]); }
 function growBox(box) {
+  const now = emptyBox();
+  growByPoints(now);
+  if (now[0] <= now[1]) growByLines(now);
+  now.forEach((x, i) => { box[i] = i % 2 === 0 ? Math.min(box[i], x) : Math.max(box[i], x); });
+}
+function growByPoints(box) {
   for (let object = 0; object < OBJECTS; ++object) {
     if (!alive[object] || IS_LINE[object]) continue;
     for (const axis of DRAWN) {
@@ -22,16 +28,22 @@ function growBox(box) {
       box[2 * axis + 1] = Math.max(box[2 * axis + 1], X[axis][object] + half);
     }
   }
-  if (box[0] <= box[1]) growByLines(box);
 }
-// Around points: so far up and down that every line passes through the middle half of the picture.
+// Around points: as far as the place of every line that is nearest to the middle. Lines much farther away than
+// the points are left out.
 function growByLines(box) {
-  const [x0, x1] = box, ends = [(3 * x0 + x1) / 4, (x0 + 3 * x1) / 4];
+  const middle = [(box[0] + box[1]) / 2, (box[2] + box[3]) / 2];
+  const farthest = 4 * Math.max(box[1] - box[0], box[3] - box[2]);
   for (let line = 0; line < OBJECTS; ++line) {
     if (!alive[line] || !IS_LINE[line]) continue;
-    const heights = ends.map(x => X[0][line] * x + X[1][line]);
-    box[2] = Math.min(box[2], Math.max(...heights));
-    box[3] = Math.max(box[3], Math.min(...heights));
+    const slope = X[0][line], above = y => y - slope * middle[0] - X[1][line];
+    const away = above(middle[1]) / (1 + slope * slope);  // of the foot, along (slope, -1)
+    if (!(Math.abs(away) * Math.hypot(slope, 1) <= farthest)) continue;
+    const foot = [middle[0] + slope * away, middle[1] - away];
+    foot.forEach((x, axis) => {
+      box[2 * axis] = Math.min(box[2 * axis], x);
+      box[2 * axis + 1] = Math.max(box[2 * axis + 1], x);
+    });
   }
 }
 // The box of most crossings of lines, where there are no points.

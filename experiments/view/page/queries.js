@@ -175,7 +175,10 @@ const OUTLINES = {
   diameter: (plane, [a, b]) => {
     if (b === undefined) return [];
     const p = plane.at(a), q = plane.at(b), centre = p.map((x, i) => (x + q[i]) / 2);
-    return [{ centre, radius: distanceOnScreen(plane, a, b) / 2 }, { from: p, to: q, wide: true }, { dot: p }, { dot: q }];
+    const radius = distanceOnScreen(plane, a, b) / 2;
+    // Rings may not hide the circle; where the points hide it, a ring shows the place.
+    const dots = radius > 16 ? [{ dot: p }, { dot: q }] : radius < 6 ? [{ dot: centre }] : [];
+    return [{ centre, radius }, { from: p, to: q, wide: true }, ...dots];
   },
   // Two discs with the gap between them.
   gap: (plane, [a, b]) => {
