@@ -31,7 +31,7 @@ struct Curve {
 struct CurvesPicture {
   std::string x, y;  // names of the axes, with units
   bool log_x = true, log_y = true;
-  std::vector<double> slopes;       // guides n^slope, dotted; of logarithmic axes
+  std::vector<double> slopes;       // guides n^slope, each with its own dashes; of logarithmic axes
   std::vector<double> x_tics = {};  // these instead of round numbers
   std::string title = {};           // above the picture; empty: none
 };
