@@ -42,6 +42,7 @@ const std::vector<Row>& table() {
       {{ask("mst_polygon_list"), ask("mst_polygon_cycles")}, Made::kPlane},
       {{ask("octants_listed"), ask("octants_local")}, Made::kPlane, 2},
       {{ask("nearest_site")}, Made::kPlane, 2},
+      {{ask("nearest_site")}, Made::kSpace},
       {{ask("delaunay_3")}, Made::kSpace},
       {{ask("regular_2")}, Made::kWeightedPlane, 2},
       {{ask("regular_3")}, Made::kWeightedSpace},
