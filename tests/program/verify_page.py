@@ -102,7 +102,7 @@ def main():
         for svg in svgs:
             title = re.search(r"<title>(.*?)</title>", svg)[1]
             description = re.search(r"<desc>(.*?)</desc>", svg, re.S)[1]
-            if not title.startswith("sorted_list: ") or len(description) < 40 or "gnuplot" in svg[:600].lower().replace("gnuplot_canvas", ""):
+            if not title.startswith("sorted_list: ") or len(description) < 40 or "gnuplot" in svg.split('id="gnuplot_canvas"')[0].lower():
                 fail(f"a picture is called {title!r}, described as {description!r}")
         for picture in pictures:  # each says by itself what it shows
             words = " ".join(text for text, _ in picture["texts"])
