@@ -148,7 +148,7 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
     scene.name = name_option(
         options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name);
   }
-  std::vector<std::string> maintain = options.maintain.empty() ? report.maintain : options.maintain;
+  std::vector<std::string> maintain = options.maintain;
   if (maintain.empty()) maintain = {structure_for(scene)};
   if (!report.maintains) formats::set_maintain(scene, maintain);
   write_result(options.output, options.force, formats::write_scene(scene, report.words));
