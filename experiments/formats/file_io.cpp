@@ -109,7 +109,7 @@ bool cut_after_last_line(const std::string& path) {
 
 }  // namespace
 
-std::string read_text_file(const std::string& path) {
+std::string read_file_bytes(const std::string& path) {
   const bool standard_input = path == "-";
   std::error_code error;
   if (!standard_input && fs::is_directory(path, error)) {
@@ -133,6 +133,11 @@ std::string read_text_file(const std::string& path) {
     }
   }
   if (std::ferror(file)) throw cannot_read(path, std::strerror(errno), "");
+  return text;
+}
+
+std::string read_text_file(const std::string& path) {
+  std::string text = read_file_bytes(path);
   refuse_binary(text, path);
   return text;
 }

@@ -15,6 +15,8 @@ namespace kinex::formats {
 inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
 
 // The bytes of a regular file, or of standard input for "-". Throws InputError.
+std::string read_file_bytes(const std::string& path);
+// The same of a text: databases and compressed files are refused, and named as what they are.
 std::string read_text_file(const std::string& path);
 
 // The treatment of an output that was not finished.

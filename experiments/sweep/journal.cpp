@@ -168,7 +168,7 @@ bool Journal::is_own_output(const std::string& path) const {
   const std::lock_guard lock(mutex_);
   const auto found = outputs_.find(path);
   return found != outputs_.end() &&
-         found->second == formats::sha256_hex(formats::read_text_file(path));
+         found->second == formats::sha256_hex(formats::read_file_bytes(path));
 }
 
 void Journal::remove() {
