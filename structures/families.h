@@ -19,11 +19,13 @@
 
 namespace kinex {
 
+// What describes a family, and the family in one line.
 struct ListedFamily {
   StructureFamily (*describe)();
   std::string_view summary;  // what its structures maintain; one line without a full stop
 };
 
+// All of them, in that order.
 inline constexpr std::array<ListedFamily, 9> kStructureFamilies{
     {{order_family, "the order of objects by a key"},
      {maximum_family, "the object with the largest or the smallest key"},

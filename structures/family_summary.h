@@ -8,6 +8,7 @@
 
 namespace kinex {
 
+// A family by its name, as kinex list names it, and in one line.
 struct FamilySummary {
   std::string_view name;
   std::string_view summary;  // what its structures maintain, without a full stop
