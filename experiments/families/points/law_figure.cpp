@@ -133,7 +133,7 @@ lab::Figure law_figure(const LawNames& names, const std::vector<lab::FitPoint>& 
                : lab::tic_form(low, high);
   const std::string tics = lab::log_tics('x', low, high, form);
   figure.script = data_of(points, fits) + "set multiplot\nset logscale x\n" + lab::kFrame +
-                  "set lmargin at screen 0.13\nset rmargin at screen 0.96\n" +
+                  "set lmargin at screen 0.16\nset rmargin at screen 0.96\n" +
                   fmt::format("set xrange [{:.6g}:{:.6g}]\n", low, high) +
                   lab::log_tics('x', low, high, form, false) +
                   counts_part(names, points, fits, counts, form) + tics + rest_part(fits) +
