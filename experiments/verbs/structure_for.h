@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an imported scene maintains if nobody says it.
+// The structure that an imported scene maintains where neither the file nor the user names one.
 #ifndef KINEX_EXPERIMENTS_VERBS_STRUCTURE_FOR_H
 #define KINEX_EXPERIMENTS_VERBS_STRUCTURE_FOR_H
 

@@ -64,7 +64,7 @@ TEST(ReproduceVerb, TellsThePaperOnCollisions) {
   EXPECT_THAT(part.err, HasSubstr("translation, rigid, features, hysteresis, hierarchies"));
 }
 
-// Figures are written last; what would be in their way is told first.
+// A figure in the way is reported before any run, although figures are written last.
 TEST(ReproduceVerb, IsRefusedWhereAFigureIs) {
   const ScratchFolder scratch;
   const std::string folder = scratch.file("round");

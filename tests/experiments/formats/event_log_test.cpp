@@ -74,7 +74,7 @@ TEST(EventLog, ExactLogsVerify) {
   }
 }
 
-// What cannot be checked is counted by the reason, and the reason is told.
+// Certificates that cannot be checked are counted, each with its reason.
 TEST(EventLog, UncheckedCertificatesHaveAReason) {
   const auto unchecked = [](Scene scene, const char* structure, InstantDetail instants) {
     formats::set_maintain(scene, {structure});

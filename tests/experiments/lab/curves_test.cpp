@@ -194,7 +194,7 @@ TEST(Curves, TicsAreWhereTheirLabelsSay) {
   EXPECT_EQ(seen, 5u);
 }
 
-// A screen reader is told what the picture is, and exponents as they are.
+// A picture has a title and a description for screen readers, with its exponents.
 TEST(Curves, APictureSaysItsTitleDescriptionAndCurves) {
   Figure figure;
   figure.title = "sorted_list: events";

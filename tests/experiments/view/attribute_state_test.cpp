@@ -79,7 +79,7 @@ TEST(AttributeState, WhatFailuresChangeIsReadNearTheNamedObjects) {
   }
 }
 
-// Another call, or an event that every structure has, may have changed pairs of objects that nobody names.
+// Calls other than failures, and events that name no objects, are followed by a comparison of everything.
 TEST(AttributeState, EverythingElseIsComparedAsAWhole) {
   const std::array<ObjectId, 1> named{0};
   for (const bool common : {true, false}) {
