@@ -14,6 +14,18 @@ inline constexpr bool kSanitized = __has_feature(address_sanitizer);
 inline constexpr bool kSanitized = false;
 #endif
 
+// How many of `count` seeds or trials run: all, or under sanitizers a quarter of them, at least one.
+template <class Count>
+constexpr Count fewer(Count count) {
+  return kSanitized ? (count + 3) / 4 : count;
+}
+
+// What is expected of the scenes that run: `count` of all, or under sanitizers an eighth, for few scenes vary.
+template <class Count>
+constexpr Count seen_in_fewer(Count count) {
+  return kSanitized ? count / 8 : count;
+}
+
 }  // namespace kinex::test
 
 #endif

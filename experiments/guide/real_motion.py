@@ -61,7 +61,12 @@ def row_of(program, folder, scene, structure):
     live = sum(one["certificates"]["max_live"] for one in ledgers.values())
     local = sum(one["certificates"]["max_per_object"] for one in ledgers.values())
     return [f"`{structure}`", asked["external"], failures, rebuilds, groups, live, local,
-            f"{exact['seconds']['simulate']:.2f}", apart + wrong], exact
+            f"{exact['seconds']['simulate']:.2f}", apart + wrong], exact, reasons_of(ledgers)
+
+
+def reasons_of(ledgers):
+    """Why structures were built anew."""
+    return {reason for one in ledgers.values() for reason in one.get("rebuild_reasons", {})}
 
 
 HEAD = ["structure", "changes", "certificate failures", "built anew", "most failures at an instant", "certificates",
@@ -88,12 +93,15 @@ def main():
              "--maintain", "delaunay_3", "-o", stars])
         text = ""
         for title, scene, structures in (("Storms", storms, STORMS), ("Stars", stars, STARS)):
-            rows = []
+            rows, reasons = [], set()
             for structure in structures:
-                row, summary = row_of(program, folder, scene, structure)
+                row, summary, why = row_of(program, folder, scene, structure)
                 rows.append(row)
+                reasons |= why
                 print(*row, sep="\t", flush=True)
             text += f"\n**{title}.** {summary['objects']} objects.\n\n" + table_of(rows)
+            if reasons:
+                text += "\nBuilt anew because " + ", or because ".join(sorted(reasons)) + ".\n"
         made = summary["provenance"]
         dirty = " with changes that are not committed" if made["dirty"] else ""
         text = (f"\nMade by `python3 experiments/guide/real_motion.py PROGRAM DATA`, {summary['build']} at {made['commit']}{dirty}, "

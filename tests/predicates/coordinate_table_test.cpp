@@ -5,6 +5,7 @@
 
 #include "predicates/predicates.h"
 #include "tests/core/arithmetic/certificate_fixture.h"
+#include "tests/sanitized.h"
 
 namespace kinex::test {
 namespace coordinate_table_test {
@@ -157,7 +158,7 @@ void expect_exact_interval(Table& table, std::size_t axis, ObjectId low, ObjectI
 
 TEST(CoordinateTable, SignsAreThoseOfExactPositions) {
   for (int kind = 0; kind < kKinds; ++kind) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
       SCOPED_TRACE("kind " + std::to_string(kind) + ", seed " + std::to_string(seed));
       for (const char* name : {"exact", "sturm"}) {
         Table table(name, static_cast<Kind>(kind), seed);

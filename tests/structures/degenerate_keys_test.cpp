@@ -113,7 +113,7 @@ constexpr int kCircle[][2] = {{5, 0},  {4, 3},   {3, 4},   {0, 5},  {-3, 4}, {-4
 
 TEST(DegenerateKeys, GridsWithIntegerVelocities) {
   std::uint64_t events = 0;
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(4u); ++seed) {
     Random random(seed);
     std::vector<Trajectory> paths;
     for (int i = 0; i < 16; ++i) {
@@ -121,7 +121,7 @@ TEST(DegenerateKeys, GridsWithIntegerVelocities) {
     }
     events += expect_right(scene_of(paths, 0, Rational(4)), 2, 5);
   }
-  EXPECT_GT(events, 1000u);
+  EXPECT_GT(events, test::seen_in_fewer(1000u));
 }
 
 TEST(DegenerateKeys, CocircularPointsThatExpand) {

@@ -2,6 +2,7 @@
 // Every change of an attribute is reported by an external event: replayed at every instant, on
 // scenes in which points meet, coincide, separate, line up, come, go and jump.
 #include "tests/structures/event_replay.h"
+#include "tests/sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -122,7 +123,7 @@ class EveryPointStructure : public testing::TestWithParam<std::string> {};
 
 void replay_lattices(const std::string& structure, std::uint64_t seeds) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const int n = 2 + static_cast<int>(seed % 7);
     Replay run(lattice_flights(seed, n, seed % 3 == 0, seed % 4 == 0), {structure});
@@ -132,7 +133,7 @@ void replay_lattices(const std::string& structure, std::uint64_t seeds) {
   }
   // A structure without events of its own has none.
   const bool has_events = !find_structure_info(structure)->kinds.empty();
-  EXPECT_GE(external, has_events ? seeds / 2 + 1 : 0u);
+  EXPECT_GE(external, has_events ? test::seen_in_fewer(seeds) / 2 + 1 : 0u);
 }
 
 TEST_P(EveryPointStructure, TellsEveryChangeOnALattice) { replay_lattices(GetParam(), 60); }
@@ -140,7 +141,7 @@ TEST_P(EveryPointStructure, TellsEveryChangeOnALattice) { replay_lattices(GetPar
 TEST_P(EveryPointStructure, SlowTellsEveryChangeOnALattice) { replay_lattices(GetParam(), 1000); }
 
 TEST_P(EveryPointStructure, TellsEveryChangeOfRandomFlights) {
-  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(24u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Replay run(random_flights(seed, 4 + static_cast<int>(seed % 6), 2,
                               1 + static_cast<int>(seed % 2), seed % 2 == 0),
@@ -150,7 +151,7 @@ TEST_P(EveryPointStructure, TellsEveryChangeOfRandomFlights) {
 }
 
 TEST_P(EveryPointStructure, TellsEveryChangeWhenBuiltAnew) {
-  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(24u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Replay run(lattice_flights(seed, 6, seed % 2 == 0, false), {GetParam()}, "exact", seed);
     run.expect_clean();
@@ -161,7 +162,7 @@ TEST_P(EveryPointStructure, TellsEveryChangeWhenBuiltAnew) {
 
 TEST_P(EveryPointStructure, TellsEveryChangeInEveryArithmetic) {
   for (const char* arithmetic : {"sturm", "double", "gsl", "mpfr:24"}) {
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(8u); ++seed) {
       SCOPED_TRACE(std::string(arithmetic) + ", seed " + std::to_string(seed));
       Replay run(lattice_flights(seed, 6, seed % 2 == 0, seed % 3 == 0), {GetParam()}, arithmetic);
       run.expect_clean();

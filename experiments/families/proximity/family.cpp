@@ -55,8 +55,13 @@ lab::FamilyExperiments proximity_experiments() {
                 {"small-integers", "small-discs", "small-boxes"});
   family.add_cells = add_proximity_cells;
   family.event_bounds = {"swaps"};
-  family.long_audits = {"mst_maximum_norm_list", "mst_maximum_norm_cycles", "mst_polygon_list",
-                        "mst_polygon_cycles", "closest_pair_discs"};
+  family.long_audits = {"mst_maximum_norm_list",
+                        "mst_maximum_norm_cycles",
+                        "mst_polygon_list",
+                        "mst_polygon_cycles",
+                        "closest_pair_discs",
+                        "cones_local",
+                        "emst_list"};
   family.trade = {{"closest_pair_delaunay",
                    2,
                    {12, 32},

@@ -10,6 +10,7 @@ lab::FamilyExperiments triangulation_experiments() {
   lab::FamilyExperiments family;
   family.name = "triangulation";
   family.usual = {{false, 2, "delaunay_2"}};
+  family.long_audits = {"delaunay_3", "regular_2", "regular_3"};
   family.workloads = {
       {"skew-curves", "a point passes between two skew curves of --n points each in space", 3, 3, 3,
        false, false, false, "delaunay_3", generate_skew_curves, 2},

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include "tests/structures/arrangement/line_scenes.h"
 #include "tests/structures/arrangement/replayed_run.h"
 
@@ -55,7 +56,7 @@ TEST(ClosestPointLine, ReferenceCounts) {
 
 void on_lattices(std::uint64_t seeds) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
     SCOPED_TRACE(seed);
     const int n = 3 + static_cast<int>(seed % 5);
     const Scene scene = lined(lattice_scene(seed, n, 2), LineUse::kWithPoints);
@@ -65,7 +66,7 @@ void on_lattices(std::uint64_t seeds) {
     }
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(external, seeds);
+  EXPECT_GT(external, test::seen_in_fewer(seeds));
 }
 
 TEST(ClosestPointLine, TinyLattices) { on_lattices(60); }
@@ -76,7 +77,7 @@ TEST(SlowClosestPointLine, TinyLattices) { on_lattices(1000); }
 TEST(ClosestPointLine, RandomFlights) {
   std::uint64_t external = 0, updates = 0;
   for (const int degree : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 8u : 2u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(degree == 1 ? 8u : 2u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const Scene scene =
           lined(random_flights(seed, 7, 2, degree, seed % 2 == 0), LineUse::kWithPoints);
@@ -88,14 +89,14 @@ TEST(ClosestPointLine, RandomFlights) {
       }
     }
   }
-  EXPECT_GT(external, 60u);
-  EXPECT_GT(updates, 40u);
+  EXPECT_GT(external, test::seen_in_fewer(60u));
+  EXPECT_GT(updates, test::seen_in_fewer(40u));
 }
 
 // From a rational instant on, a run goes on as a fresh one does whose scene begins there.
 TEST(ClosestPointLine, AFreshRunFromTheMiddle) {
   const Rational middle(Integer(11), Integer(5));
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(3u); ++seed) {
     SCOPED_TRACE(seed);
     Scene scene = lined(random_flights(seed, 7, 2, 1, true), LineUse::kWithPoints);
     const TwinRun whole(scene, {ask(kEuclidean)});
@@ -171,7 +172,7 @@ TEST(ClosestPointLine, Ties) {
 
 TEST(ClosestPointLine, InexactRunsEnd) {
   for (const char* const arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(4u); ++seed) {
       const Scene scene = lined(lattice_scene(seed, 8, 2), LineUse::kWithPoints);
       const TwinRun run(scene, {ask(kEuclidean)}, arithmetic);
       EXPECT_TRUE(run.ledger().corrupt || run.attribute().size() == 2) << arithmetic;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include "tests/structures/arrangement/line_scenes.h"
 #include "tests/structures/arrangement/replayed_run.h"
 #include "tests/structures/metamorphic.h"
@@ -61,14 +62,14 @@ TEST(Incidences, ReferenceCounts) {
 
 void on_lattices(std::uint64_t seeds) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
     SCOPED_TRACE(seed);
     const int n = 3 + static_cast<int>(seed % 6);
     const Scene scene = lined(lattice_scene(seed, n, 2), LineUse::kWithPoints);
     external += TwinRun(scene, incidences()).ledger().external;
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(external, seeds);
+  EXPECT_GT(external, test::seen_in_fewer(seeds));
 }
 
 TEST(Incidences, TinyLattices) { on_lattices(200); }
@@ -76,7 +77,7 @@ TEST(Incidences, TinyLattices) { on_lattices(200); }
 // More lines than in the samples, and structures that are rebuilt instead of repaired now and then.
 void on_larger_lattices(std::uint64_t seeds) {
   std::uint64_t cells = 0, external = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
     SCOPED_TRACE(seed);
     const int n = 8 + static_cast<int>(seed % 9);
     const Scene scene = lined(lattice_scene(seed, n, 2), LineUse::kWithPoints);
@@ -86,8 +87,8 @@ void on_larger_lattices(std::uint64_t seeds) {
     cells += replayed.count("cell");
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(external, 10 * seeds);
-  EXPECT_GT(cells, 10 * seeds);
+  EXPECT_GT(external, 10 * test::seen_in_fewer(seeds));
+  EXPECT_GT(cells, 10 * test::seen_in_fewer(seeds));
 }
 
 TEST(Incidences, LargerLattices) { on_larger_lattices(60); }
@@ -100,7 +101,7 @@ TEST(SlowIncidences, TinyLattices) { on_lattices(3000); }
 TEST(Incidences, RandomFlights) {
   std::uint64_t external = 0, updates = 0;
   for (const int degree : {1, 2, 3, 4}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 12u : 4u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(degree == 1 ? 12u : 4u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const Scene scene = lined(random_flights(seed, 8, 2, degree, seed % 2 == 0),
                                 LineUse::kWithPoints);
@@ -110,14 +111,14 @@ TEST(Incidences, RandomFlights) {
       updates += run.ledger().motion_updates;
     }
   }
-  EXPECT_GT(external, 60u);
-  EXPECT_GT(updates, 60u);
+  EXPECT_GT(external, test::seen_in_fewer(60u));
+  EXPECT_GT(updates, test::seen_in_fewer(60u));
 }
 
 // From a rational instant on, a run goes on as a fresh one does whose scene begins there.
 TEST(Incidences, AFreshRunFromTheMiddle) {
   const Rational middle(Integer(11), Integer(5));
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(8u); ++seed) {
     SCOPED_TRACE(seed);
     Scene scene = lined(random_flights(seed, 8, 2, 2, true), LineUse::kWithPoints);
     const TwinRun whole(scene, incidences());
@@ -236,7 +237,7 @@ TEST(Incidences, AStripThatPassesThreeLines) {
 TEST(Incidences, ManyFlights) {
   std::uint64_t external = 0;
   for (const int degree : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 8u : 3u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(degree == 1 ? 8u : 3u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const Scene scene = lined(random_flights(100 + seed, 16, 2, degree, seed % 2 == 0),
                                 LineUse::kWithPoints);
@@ -245,14 +246,14 @@ TEST(Incidences, ManyFlights) {
       external += run.ledger().external;
     }
   }
-  EXPECT_GT(external, 200u);
+  EXPECT_GT(external, test::seen_in_fewer(200u));
 }
 
 // Runs in inexact arithmetics end, in double with the pairs of the exact run or in corruption.
 TEST(Incidences, InexactRunsEnd) {
   int agree = 0, corrupt = 0;
   for (const char* const arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
-    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(12u); ++seed) {
       SCOPED_TRACE(std::string(arithmetic) + ", seed " + std::to_string(seed));
       const Scene given = seed % 3 == 0 ? random_flights(seed, 12, 2, 2, true) : lattice_scene(seed, 12, 2);
       const Scene scene = lined(given, LineUse::kWithPoints);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include "tests/structures/arrangement/line_scenes.h"
 #include "tests/structures/arrangement/replayed_run.h"
 
@@ -201,7 +202,7 @@ TEST(LineArrangement, ReferenceCounts) {
 
 void on_lattices(std::uint64_t seeds) {
   std::uint64_t triples = 0, parallels = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
     SCOPED_TRACE(seed);
     const int n = 3 + static_cast<int>(seed % 5);
     const Scene scene = lined(lattice_scene(seed, n, 2), LineUse::kAlone);
@@ -210,8 +211,8 @@ void on_lattices(std::uint64_t seeds) {
     parallels += run.count("parallel");
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(triples, seeds);
-  EXPECT_GT(parallels, seeds);
+  EXPECT_GT(triples, test::seen_in_fewer(seeds));
+  EXPECT_GT(parallels, test::seen_in_fewer(seeds));
 }
 
 TEST(LineArrangement, TinyLattices) { on_lattices(200); }
@@ -222,7 +223,7 @@ TEST(SlowLineArrangement, TinyLattices) { on_lattices(3000); }
 TEST(LineArrangement, RandomFlights) {
   std::uint64_t externals = 0, updates = 0;
   for (const int degree : {1, 2, 3, 4}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 12u : 3u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(degree == 1 ? 12u : 3u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const Scene scene = lined(random_flights(seed, 6, 2, degree, seed % 2 == 0), LineUse::kAlone);
       const TwinRun run(scene, arrangement()), twin(scene, arrangement(), "sturm");
@@ -232,14 +233,14 @@ TEST(LineArrangement, RandomFlights) {
       updates += run.ledger().motion_updates;
     }
   }
-  EXPECT_GT(externals, 100u);
-  EXPECT_GT(updates, 60u);
+  EXPECT_GT(externals, test::seen_in_fewer(100u));
+  EXPECT_GT(updates, test::seen_in_fewer(60u));
 }
 
 // From a rational instant on, a run goes on as a fresh one does whose scene begins there.
 TEST(LineArrangement, AFreshRunFromTheMiddle) {
   const Rational middle(Integer(11), Integer(5));
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
     SCOPED_TRACE(seed);
     Scene scene = lined(random_flights(seed, 7, 2, 2, true), LineUse::kAlone);
     const TwinRun whole(scene, arrangement());

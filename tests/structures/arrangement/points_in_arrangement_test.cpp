@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include "tests/structures/arrangement/line_scenes.h"
 #include "tests/structures/arrangement/replayed_run.h"
 
@@ -110,7 +111,7 @@ TEST(PointsInArrangement, NoneToThree) {
 
 void on_lattices(std::uint64_t seeds) {
   std::uint64_t changes = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
     SCOPED_TRACE(seed);
     const int n = 4 + static_cast<int>(seed % 6);
     const Scene scene = lined(lattice_scene(seed, n, 2), LineUse::kWithPoints);
@@ -118,7 +119,7 @@ void on_lattices(std::uint64_t seeds) {
     changes += run.ledger().external;
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(changes, seeds);
+  EXPECT_GT(changes, test::seen_in_fewer(seeds));
 }
 
 TEST(PointsInArrangement, TinyLattices) { on_lattices(200); }
@@ -129,7 +130,7 @@ TEST(SlowPointsInArrangement, TinyLattices) { on_lattices(3000); }
 TEST(PointsInArrangement, RandomFlights) {
   std::uint64_t changes = 0;
   for (const int degree : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 12u : 3u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(degree == 1 ? 12u : 3u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const Scene scene = lined(random_flights(seed, 8, 2, degree, seed % 2 == 0), LineUse::kWithPoints);
       const TwinRun run(scene, {ask(kName)}), twin(scene, {ask(kName)}, "sturm");
@@ -138,13 +139,13 @@ TEST(PointsInArrangement, RandomFlights) {
       changes += run.ledger().external;
     }
   }
-  EXPECT_GT(changes, 60u);
+  EXPECT_GT(changes, test::seen_in_fewer(60u));
 }
 
 // From a rational instant on, a run goes on as a fresh one does whose scene begins there.
 TEST(PointsInArrangement, AFreshRunFromTheMiddle) {
   const Rational middle(Integer(11), Integer(5));
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
     SCOPED_TRACE(seed);
     Scene scene = lined(random_flights(seed, 9, 2, 2, true), LineUse::kWithPoints);
     const TwinRun whole(scene, {ask(kName)});

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "structures/arrangement/trapezoids_2.h"
+#include "tests/sanitized.h"
 #include "tests/structures/arrangement/line_scenes.h"
 #include "tests/structures/arrangement/replayed_run.h"
 
@@ -215,7 +216,7 @@ TEST(Trapezoids, ReferenceCounts) {
 
 void on_lattices(std::uint64_t seeds) {
   std::uint64_t changes = 0, passes = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
     SCOPED_TRACE(seed);
     const int n = 3 + static_cast<int>(seed % 5);
     const Scene scene = lined(lattice_scene(seed, n, 2), LineUse::kAlone);
@@ -224,8 +225,8 @@ void on_lattices(std::uint64_t seeds) {
     passes += run.count("wall_pass");
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(changes, 10 * seeds);
-  EXPECT_GT(passes, seeds);
+  EXPECT_GT(changes, 10 * test::seen_in_fewer(seeds));
+  EXPECT_GT(passes, test::seen_in_fewer(seeds));
 }
 
 TEST(Trapezoids, TinyLattices) { on_lattices(200); }
@@ -236,7 +237,7 @@ TEST(SlowTrapezoids, TinyLattices) { on_lattices(3000); }
 TEST(Trapezoids, RandomFlights) {
   std::uint64_t externals = 0, updates = 0;
   for (const int degree : {1, 2, 3, 4}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 12u : 3u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(degree == 1 ? 12u : 3u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const Scene scene = lined(random_flights(seed, 6, 2, degree, seed % 2 == 0), LineUse::kAlone);
       const TwinRun run(scene, trapezoids()), twin(scene, trapezoids(), "sturm");
@@ -246,14 +247,14 @@ TEST(Trapezoids, RandomFlights) {
       updates += run.ledger().motion_updates;
     }
   }
-  EXPECT_GT(externals, 100u);
-  EXPECT_GT(updates, 60u);
+  EXPECT_GT(externals, test::seen_in_fewer(100u));
+  EXPECT_GT(updates, test::seen_in_fewer(60u));
 }
 
 // From a rational instant on, a run goes on as a fresh one does whose scene begins there.
 TEST(Trapezoids, AFreshRunFromTheMiddle) {
   const Rational middle(Integer(11), Integer(5));
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
     SCOPED_TRACE(seed);
     Scene scene = lined(random_flights(seed, 7, 2, 2, true), LineUse::kAlone);
     const TwinRun whole(scene, trapezoids());
@@ -280,7 +281,7 @@ TEST(Trapezoids, TheMostTriples) {
 // of the lines pass through states in which faces do not close.
 TEST(Trapezoids, InexactRunsEnd) {
   for (const char* const arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
-    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(12u); ++seed) {
       SCOPED_TRACE(std::string(arithmetic) + ", seed " + std::to_string(seed));
       const Scene given = seed % 3 == 0 ? random_flights(seed, 7, 2, 2, true) : lattice_scene(seed, 7, 2);
       const Scene scene = lined(given, LineUse::kAlone);

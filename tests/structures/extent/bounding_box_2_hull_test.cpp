@@ -88,7 +88,7 @@ TEST(BoundingBox2Hull, TiesGoToTheSmallestVertex) {
 std::uint64_t run_scenes(std::uint64_t linear) {
   std::uint64_t external = 0;
   for (const int degree : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? linear : linear / 3); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(degree == 1 ? linear : linear / 3); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const Scene plain = circle_lattice(77 + seed, degree);
       expect_agreement(plain, false);
@@ -100,7 +100,7 @@ std::uint64_t run_scenes(std::uint64_t linear) {
   return external;
 }
 
-TEST(BoundingBox2Hull, RandomScenes) { EXPECT_GT(run_scenes(kSanitized ? 12 : 36), kSanitized ? 20u : 60u); }
+TEST(BoundingBox2Hull, RandomScenes) { EXPECT_GT(run_scenes(36), test::seen_in_fewer(60u)); }
 
 TEST(SlowBoundingBox2Hull, RandomScenes) { EXPECT_GT(run_scenes(100), 200u); }
 

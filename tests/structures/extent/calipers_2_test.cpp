@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include "tests/structures/extent/calipers_support.h"
 
 namespace kinex::test {
@@ -127,7 +128,7 @@ TEST(Calipers2, NoPointToThree) {
 
 // What the calipers of 2 folds touch is part of what those of 4 folds touch.
 TEST(Calipers2, FoldsAgree) {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(40u); ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = seed % 2 == 0 ? caliper_lattice(seed) : random_flights(seed, 8, 2, 1, true);
     const CaliperRun two(scene, "calipers_2"), four(scene, "calipers_2_4");

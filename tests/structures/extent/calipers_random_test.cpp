@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include "tests/structures/extent/calipers_support.h"
 #include "tests/structures/special_scenes.h"
 
@@ -13,7 +14,7 @@ class EveryCaliperStructure : public ::testing::TestWithParam<std::string> {};
 
 void run_lattices(const std::string& structure, std::uint64_t first, std::uint64_t last) {
   std::uint64_t external = 0, shared = 0;
-  for (std::uint64_t seed = first; seed <= last; ++seed) {
+  for (std::uint64_t seed = first; seed <= first + test::fewer(last - first); ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = caliper_lattice(seed);
     const CaliperRun run(scene, structure, kAllHulls[seed % kAllHulls.size()]);
@@ -24,8 +25,8 @@ void run_lattices(const std::string& structure, std::uint64_t first, std::uint64
     EXPECT_EQ(run.sink.lines, twin.sink.lines);
     EXPECT_EQ(run.values(), twin.values());
   }
-  EXPECT_GT(external, last - first);
-  EXPECT_GT(shared, (last - first) / 24);
+  EXPECT_GT(external, test::seen_in_fewer(last - first));
+  EXPECT_GT(shared, test::seen_in_fewer(last - first) / 24);
 }
 
 // The tests that find errors in what calipers note. Of changed edges: a swap, an enter or a leave that notes
@@ -40,19 +41,19 @@ TEST_P(EveryCaliperStructure, SlowLattices) { run_lattices(GetParam(), 49, 600);
 TEST_P(EveryCaliperStructure, LatticesOfHigherDegree) {
   std::uint64_t external = 0;
   for (const int degree : {2, 3}) {
-    for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(24u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const CaliperRun run(caliper_lattice(seed, degree), GetParam(), kAllHulls[seed % kAllHulls.size()]);
       external += run.ledger().external;
     }
   }
-  EXPECT_GT(external, 100u);
+  EXPECT_GT(external, test::seen_in_fewer(100u));
 }
 
 TEST_P(EveryCaliperStructure, RandomFlights) {
   std::uint64_t external = 0, updates = 0, insertions = 0;
   for (const int degree : {1, 2}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 48u : 8u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(degree == 1 ? 48u : 8u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const CaliperRun run(random_flights(seed, 8, 2, degree, seed % 2 == 0), GetParam(),
                            kAllHulls[seed % kAllHulls.size()]);
@@ -61,14 +62,14 @@ TEST_P(EveryCaliperStructure, RandomFlights) {
       insertions += run.ledger().insertions;
     }
   }
-  EXPECT_GT(external, 60u);
-  EXPECT_GT(updates, 100u);
-  EXPECT_GT(insertions, 10u);
+  EXPECT_GT(external, test::seen_in_fewer(60u));
+  EXPECT_GT(updates, test::seen_in_fewer(100u));
+  EXPECT_GT(insertions, test::seen_in_fewer(10u));
 }
 
 // The same changes at the same instants over every hull.
 TEST_P(EveryCaliperStructure, HullsAgree) {
-  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(24u); ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = seed % 2 == 0 ? caliper_lattice(seed + 1000) : random_flights(seed, 7, 2, 1, true);
     const CaliperRun first(scene, GetParam(), kHulls[0]);
@@ -83,7 +84,7 @@ TEST_P(EveryCaliperStructure, HullsAgree) {
 // Hulls of directions, whatever maintains them: the same values for the same k.
 TEST_P(EveryCaliperStructure, HullsOfDirectionsAgree) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(16u); ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = seed % 2 == 0 ? caliper_lattice(seed + 2000) : random_flights(seed, 7, 2, 1, true);
     for (const std::vector<std::string>& hulls : kHullsOfDirections) {
@@ -96,7 +97,7 @@ TEST_P(EveryCaliperStructure, HullsOfDirectionsAgree) {
       }
     }
   }
-  EXPECT_GT(external, 100u);
+  EXPECT_GT(external, test::seen_in_fewer(100u));
 }
 
 // They come one by one and leave one by one; one jumps.
@@ -113,7 +114,7 @@ TEST_P(EveryCaliperStructure, FromNothingToNothing) {
 
 // All points are on one line at one instant.
 TEST_P(EveryCaliperStructure, AllOnOneLineForAnInstant) {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(40u); ++seed) {
     SCOPED_TRACE(seed);
     const CaliperRun run(on_a_line_for_an_instant(seed, 5, 20), GetParam(),
                          kAllHulls[seed % kAllHulls.size()]);
@@ -132,7 +133,7 @@ TEST_P(EveryCaliperStructure, ExtremeNumbers) {
 // rectangles of one area either may be named: inexact_agreement_test.cpp compares areas.)
 TEST_P(EveryCaliperStructure, AgreesInInexactArithmeticsOrNoticesAnError) {
   int agree = 0, noticed = 0;
-  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(16u); ++seed) {
     const Scene scene = seed % 2 == 0 ? caliper_lattice(seed) : random_flights(seed, 8, 2, 2, true);
     const std::string& hull = kAllHulls[seed % kAllHulls.size()];
     const Ids exact = CaliperRun(scene, GetParam(), hull, "exact", AuditLevel::kEnd).ids();
@@ -144,7 +145,7 @@ TEST_P(EveryCaliperStructure, AgreesInInexactArithmeticsOrNoticesAnError) {
       EXPECT_EQ(run.ids(), exact);
     }
   }
-  EXPECT_GT(agree, 20);
+  EXPECT_GT(agree, test::seen_in_fewer(20));
   EXPECT_GT(noticed, 0);
 }
 
@@ -154,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(All, EveryCaliperStructure, ::testing::ValuesIn(kAllCal
 // The baseline changes at the same instants.
 TEST(Diameter, AllPairsAgree) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(60u); ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = seed % 2 == 0 ? caliper_lattice(seed) : random_flights(seed, 7, 2, 2, true);
     const CaliperRun fast(scene, "diameter_2", kHulls[seed % kHulls.size()]);
@@ -163,7 +164,7 @@ TEST(Diameter, AllPairsAgree) {
     EXPECT_EQ(fast.values(), slow.values());
     external += fast.ledger().external;
   }
-  EXPECT_GT(external, 60u);
+  EXPECT_GT(external, test::seen_in_fewer(60u));
 }
 
 // 0 and 3 recede from each other until they are as far apart as 1 and 2, and stay so: of pairs that
@@ -183,7 +184,7 @@ TEST(Diameter, ThePlanThatMakesPairsEqual) {
 
 TEST(Diameter, AllPairsInOneAndThreeAxes) {
   for (const int dimension : {1, 3}) {
-    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(12u); ++seed) {
       SCOPED_TRACE(std::to_string(dimension) + " axes, seed " + std::to_string(seed));
       const CaliperRun run(random_flights(seed, 7, dimension, 2, true), "diameter_all_pairs", "");
     }

@@ -7,6 +7,7 @@
 
 #include "predicates/points/unit_directions.h"
 #include "structures/registry.h"
+#include "tests/sanitized.h"
 #include "tests/structures/extent/directions_support.h"
 #include "tests/structures/special_scenes.h"
 
@@ -41,34 +42,34 @@ TEST(Directions, AreUnitVectorsInTheirOrder) {
 
 TEST(Directions, RandomLattices) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(150u); ++seed) {
     SCOPED_TRACE(seed);
     run_both(direction_lattice(seed, 1), static_cast<int>(seed % 4) + 1, &external);
   }
-  EXPECT_GT(external, 1000u);
+  EXPECT_GT(external, test::seen_in_fewer(1000u));
 }
 
 TEST(Directions, RandomLatticesOfHigherDegree) {
   std::uint64_t external = 0;
   for (const int degree : {2, 3}) {
-    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(30u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const DirectionsRun run(direction_lattice(seed, degree), "directions_2", static_cast<int>(seed % 3) + 1);
       external += run.ledger().external;
     }
   }
-  EXPECT_GT(external, 300u);
+  EXPECT_GT(external, test::seen_in_fewer(300u));
 }
 
 TEST(Directions, RandomFlights) {
   std::uint64_t external = 0;
   for (const int degree : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(8u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       run_both(random_flights(seed, 9, 2, degree, seed % 2 == 0), 2, &external);
     }
   }
-  EXPECT_GT(external, 100u);
+  EXPECT_GT(external, test::seen_in_fewer(100u));
 }
 
 // Along two axes every one of the n points is extreme for some time: 2kn = 2n changes for k = 1.
@@ -125,7 +126,7 @@ std::vector<Rational> circle_around(const Snapshot& now, const Ids& ids) {
 // The least circle around the polygon, grown by sqrt(1 + 1/k^2) about its centre, holds all points.
 TEST(Directions, GuaranteeForTheCircle) {
   for (const int k : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
       Random random(seed);
       std::vector<Trajectory> t;
       for (int i = 0; i < 12; ++i) t.push_back(random.small_path(2, 1, 100));
@@ -223,7 +224,7 @@ TEST(Directions, ExtremeNumbers) {
 TEST(Directions, EndsInInexactArithmetics) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
     for (const int degree : {1, 2}) {
-      for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
         const DirectionsRun run(random_flights(seed, 9, 2, degree, seed % 2 == 0), "directions_2",
                                 2, arithmetic);
         EXPECT_TRUE(run.ledger().corrupt || run.ids().size() <= 8) << arithmetic;

@@ -2,6 +2,7 @@
 // The diameter in space by directions, against all pairs.
 #include "predicates/points/unit_directions_3.h"
 #include "structures/extent/extent_guarantees_audit.h"
+#include "tests/sanitized.h"
 #include "tests/structures/extent/directions_support.h"
 
 namespace kinex::test {
@@ -24,7 +25,7 @@ TEST(UnitDirections3, AreUnitVectorsCloseToEverything) {
       EXPECT_EQ(product(all[i], all[i]), Rational(1));
       for (std::size_t j = 0; j < i; ++j) EXPECT_LT(product(all[i], all[j]), Rational(1));
     }
-    for (int trial = 0; trial < 100; ++trial) {
+    for (int trial = 0; trial < test::fewer(100); ++trial) {
       const DirectionVector v{Rational(random.between(-9, 9)), Rational(random.between(-9, 9)),
                               Rational(random.between(-9, 9))};
       Rational best(0);
@@ -45,12 +46,12 @@ Scene lattice_in_space(std::uint64_t seed, int degree) {
 
 TEST(ExtentDirections3, RandomLattices) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(24u); ++seed) {
     SCOPED_TRACE(seed);
     const DirectionsRun run(lattice_in_space(seed, 1), "diameter_directions", 2);
     external += run.ledger().external;
   }
-  EXPECT_GT(external, 20u);
+  EXPECT_GT(external, test::seen_in_fewer(20u));
 }
 
 TEST(SlowExtentDirections3, RandomLattices) {
@@ -62,7 +63,7 @@ TEST(SlowExtentDirections3, RandomLattices) {
 }
 
 TEST(ExtentDirections3, PlansThatChange) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(3u); ++seed) {
     SCOPED_TRACE(seed);
     const DirectionsRun run(random_flights(seed, 6, 3, 1 + static_cast<int>(seed % 2), true),
                             "diameter_directions", 2);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include "tests/structures/extent/directions_support.h"
 #include "tests/structures/special_scenes.h"
 
@@ -24,33 +25,33 @@ std::uint64_t run_all(const Scene& scene, int k) {
 
 TEST(ExtentDirections, RandomLattices) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(150u); ++seed) {
     SCOPED_TRACE(seed);
     external += run_all(direction_lattice(seed, 1), static_cast<int>(seed % 4) + 1);
   }
-  EXPECT_GT(external, 2000u);
+  EXPECT_GT(external, test::seen_in_fewer(2000u));
 }
 
 TEST(ExtentDirections, RandomLatticesOfHigherDegree) {
   std::uint64_t external = 0;
   for (const int degree : {2, 3}) {
-    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(30u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       external += run_all(direction_lattice(seed, degree), static_cast<int>(seed % 3) + 1);
     }
   }
-  EXPECT_GT(external, 600u);
+  EXPECT_GT(external, test::seen_in_fewer(600u));
 }
 
 TEST(ExtentDirections, RandomFlights) {
   std::uint64_t external = 0;
   for (const int degree : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(8u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       external += run_all(random_flights(seed, 9, 2, degree, seed % 2 == 0), 2);
     }
   }
-  EXPECT_GT(external, 200u);
+  EXPECT_GT(external, test::seen_in_fewer(200u));
 }
 
 TEST(ExtentDirections, ReferenceScenes) {
@@ -137,7 +138,7 @@ TEST(ExtentDirections, ExtremeNumbers) {
 TEST(ExtentDirections, EndsInInexactArithmetics) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
     for (const int degree : {1, 2}) {
-      for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
         for (const char* structure : {"diameter_directions", "width_directions"}) {
           const DirectionsRun run(random_flights(seed, 9, 2, degree, seed % 2 == 0), structure, 2,
                                   arithmetic);

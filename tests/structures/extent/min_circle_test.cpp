@@ -182,7 +182,7 @@ TEST(MinCircle, NoPointToThree) {
 std::uint64_t run_lattices(std::uint64_t linear) {
   std::uint64_t external = 0;
   for (const int degree : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? linear : linear / 3); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(degree == 1 ? linear : linear / 3); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const Scene scene = circle_lattice(1000 * static_cast<std::uint64_t>(degree) + seed, degree);
       expect_agreement(scene);
@@ -193,7 +193,7 @@ std::uint64_t run_lattices(std::uint64_t linear) {
   return external;
 }
 
-TEST(MinCircle, RandomLattices) { EXPECT_GT(run_lattices(kSanitized ? 12 : 36), kSanitized ? 20u : 60u); }
+TEST(MinCircle, RandomLattices) { EXPECT_GT(run_lattices(36), test::seen_in_fewer(60u)); }
 
 TEST(SlowMinCircle, RandomLattices) { EXPECT_GT(run_lattices(300), 500u); }
 
@@ -201,8 +201,8 @@ TEST(SlowMinCircle, RandomLattices) { EXPECT_GT(run_lattices(300), 500u); }
 TEST(MinCircle, RandomFlights) {
   std::uint64_t external = 0;
   for (const int degree : {1, 2, 3}) {
-    const std::uint64_t seeds = (degree == 1 ? 20 : 8) / (kSanitized ? 4 : 1);
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const std::uint64_t seeds = (degree == 1 ? 20 : 8);
+    for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const Scene scene = random_flights(seed, 8, 2, degree, seed % 4 != 0);
       expect_agreement(scene);
@@ -210,7 +210,7 @@ TEST(MinCircle, RandomFlights) {
       if (HasFailure()) return;
     }
   }
-  EXPECT_GT(external, kSanitized ? 12u : 50u);
+  EXPECT_GT(external, test::seen_in_fewer(50u));
 }
 
 }  // namespace min_circle_test

@@ -3,13 +3,14 @@
 // between all events, and so does `sturm`.
 #include <gtest/gtest.h>
 
+#include "tests/sanitized.h"
 #include "tests/structures/hull/hull_support.h"
 
 namespace kinex::test {
 namespace convex_hull_2_degenerate_test {
 
 TEST(ConvexHull2Degenerate, SmallIntegers) {
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::fewer(40u); ++seed) {
     const int n = 2 + static_cast<int>(seed % 9), degree = 1 + static_cast<int>(seed % 2);
     SCOPED_TRACE(seed);
     expect_one_story(small_plane(n, seed, degree, 1 + static_cast<int>(seed % 4)));
@@ -17,7 +18,7 @@ TEST(ConvexHull2Degenerate, SmallIntegers) {
 }
 
 TEST(ConvexHull2Degenerate, TwinsInSturm) {
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::fewer(12u); ++seed) {
     for (const char* structure :
          {"convex_hull_2", "convex_hull_2_naive", "convex_hull_2_brute_force"}) {
       HullRun run(small_plane(10, seed, 1 + static_cast<int>(seed % 2), 2), structure);
@@ -67,7 +68,7 @@ TEST(ConvexHull2Degenerate, AlongAnEdge) {
 
 // A lattice that is reached, and left, by all points at once.
 TEST(ConvexHull2Degenerate, Lattice) {
-  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::fewer(4u); ++seed) {
     Random random(seed);
     std::vector<Trajectory> motions;
     for (int i = 0; i < 4; ++i) {
@@ -81,7 +82,7 @@ TEST(ConvexHull2Degenerate, Lattice) {
 }
 
 TEST(ConvexHull2Degenerate, FlightPlans) {
-  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(25u); ++seed) {
     SCOPED_TRACE(seed);
     expect_one_story(random_flights(seed, 3 + static_cast<int>(seed % 6), 2,
                                     1 + static_cast<int>(seed % 2), false));
@@ -89,7 +90,7 @@ TEST(ConvexHull2Degenerate, FlightPlans) {
 }
 
 TEST(ConvexHull2Degenerate, PointsComeAndGo) {
-  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(25u); ++seed) {
     SCOPED_TRACE(seed);
     expect_one_story(random_flights(seed, 3 + static_cast<int>(seed % 8), 2,
                                     1 + static_cast<int>(seed % 2), true));

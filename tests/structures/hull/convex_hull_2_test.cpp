@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "tests/sanitized.h"
 #include "tests/structures/hull/hull_support.h"
 
 namespace kinex::test {
@@ -134,7 +135,7 @@ TEST(ConvexHull2, TheMiddleOfThreeChangesSides) {
 
 TEST(ConvexHull2, InexactArithmeticsEnd) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:12", "mpfr:60"}) {
-    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::fewer(6u); ++seed) {
       for (const std::string& structure : kHulls) {
         tell(small_plane(9, seed, 1 + static_cast<int>(seed % 2), 2), structure, arithmetic,
              AuditLevel::kNone);

@@ -219,7 +219,7 @@ TEST(MaximumFamily, OtherKeys) {
 
 // Numbers that no machine integer holds.
 TEST(MaximumFamily, HugeAndTinyNumbers) {
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(10u); ++seed) {
     Random random(seed);
     std::vector<Trajectory> t;
     for (int i = 0; i < 12; ++i) {
@@ -241,7 +241,7 @@ TEST(MaximumFamily, CloseInstants) {
 
 TEST(MaximumFamily, InexactArithmeticsEnd) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:60"}) {
-    for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(25u); ++seed) {
       const int degree = 1 + static_cast<int>(seed % 3);
       const Scene scene = random_flights(seed, 12, 1, degree, seed % 2 == 0);
       FamilyRun run(scene, {}, seed % 5 == 0, arithmetic, AuditLevel::kNone);

@@ -6,6 +6,7 @@
 
 #include "structures/maximum/maximum_heap.h"
 #include "structures/maximum/maximum_tournament.h"
+#include "tests/sanitized.h"
 #include "tests/structures/test_run.h"
 #include "tests/structures/test_scenes.h"
 
@@ -171,7 +172,7 @@ TEST(Maximum, OfEqualKeysTheSmallestIdWins) {
 
 TEST(Maximum, RandomFlights) {
   for (const char* name : kAll) {
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(40u); ++seed) {
       const Scene scene =
           random_flights(seed, 11, 1, 1 + static_cast<int>(seed % 3), seed % 2 == 0);
       Trial run(scene, name);
@@ -183,7 +184,7 @@ TEST(Maximum, RandomFlights) {
 
 TEST(Maximum, RandomScenesWithoutChangesKeepTheBounds) {
   for (const char* name : kAll) {
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(40u); ++seed) {
       Random random(seed);
       std::vector<Trajectory> t;
       const int degree = 1 + static_cast<int>(seed % 3);
@@ -201,7 +202,7 @@ TEST(Maximum, RandomScenesWithoutChangesKeepTheBounds) {
 
 TEST(Maximum, ReferenceArithmeticGivesTheSameLog) {
   for (const char* name : kAll) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
       const Scene scene = random_flights(seed, 7, 1, 1 + static_cast<int>(seed % 3), true);
       Trial exact(scene, name), sturm(scene, name, "sturm");
       exact.to_end();
@@ -214,7 +215,7 @@ TEST(Maximum, ReferenceArithmeticGivesTheSameLog) {
 TEST(Maximum, InexactArithmeticsEnd) {
   for (const char* name : kAll) {
     for (const char* arithmetic : {"double", "gsl", "mpfr:4"}) {
-      for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      for (std::uint64_t seed = 1; seed <= test::fewer(10u); ++seed) {
         const Scene scene =
             random_flights(seed, 9, 1, 1 + static_cast<int>(seed % 3), seed % 2 == 0);
         Trial run(scene, name, arithmetic);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tests/sanitized.h"
 #include "tests/structures/test_run.h"
 #include "tests/structures/test_scenes.h"
 
@@ -188,7 +189,7 @@ TEST(SortedList, AMovingReferenceReschedulesAll) {
 }
 
 TEST(SortedList, RandomFlights) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(60u); ++seed) {
     const Scene scene = random_flights(seed, 9, 1, 1 + static_cast<int>(seed % 3), seed % 2 == 0);
     Trial run(scene, kName);
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -199,7 +200,7 @@ TEST(SortedList, RandomFlights) {
 TEST(SortedList, RandomFlightsAroundAnObject) {
   Key key;
   key.kind = Key::Kind::kSquaredDistance;
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(30u); ++seed) {
     Scene scene = random_flights(seed, 7, 2, 1 + static_cast<int>(seed % 2), seed % 2 == 0);
     key.object = static_cast<ObjectId>(scene.objects.size());
     scene.objects.push_back(moving("centre", path({{1, -1}, {0, 1}})));
@@ -210,7 +211,7 @@ TEST(SortedList, RandomFlightsAroundAnObject) {
 }
 
 TEST(SortedList, ReferenceArithmeticGivesTheSameLog) {
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(12u); ++seed) {
     const Scene scene = random_flights(seed, 7, 1, 1 + static_cast<int>(seed % 3), true);
     Trial exact(scene, kName), sturm(scene, kName, "sturm");
     exact.to_end();
@@ -221,7 +222,7 @@ TEST(SortedList, ReferenceArithmeticGivesTheSameLog) {
 
 TEST(SortedList, InexactArithmeticsEnd) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
-    for (std::uint64_t seed = 1; seed <= 15; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(15u); ++seed) {
       const Scene scene = random_flights(seed, 9, 1, 1 + static_cast<int>(seed % 3), seed % 2 == 0);
       Trial run(scene, kName, arithmetic);
       run.to_end();

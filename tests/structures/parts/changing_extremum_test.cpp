@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/engine/simulator.h"
+#include "tests/sanitized.h"
 #include "tests/structures/parts/shifting_pairs.h"
 #include "tests/structures/test_run.h"
 
@@ -46,7 +47,7 @@ TEST(ChangingExtremum, IsRightThroughFlightPlansAndTies) {
   std::uint64_t failures = 0, ties = 0;
   for (int dimension = 1; dimension <= 3; ++dimension) {
     for (const int degree : {1, 2}) {
-      for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
         SCOPED_TRACE(std::to_string(dimension) + " axes, degree " + std::to_string(degree) +
                      ", seed " + std::to_string(seed));
         const Scene scene = random_flights(seed, 9, dimension, degree, seed % 2 == 0);
@@ -61,7 +62,7 @@ TEST(ChangingExtremum, IsRightThroughFlightPlansAndTies) {
       }
     }
   }
-  EXPECT_GT(failures, 100u);
+  EXPECT_GT(failures, test::seen_in_fewer(100u));
   EXPECT_GT(ties, 0u);
 }
 
@@ -75,7 +76,7 @@ TEST(ChangingExtremum, RepeatsItself) {
 }
 
 TEST(ChangingExtremum, EndsInAnInexactArithmetic) {
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(8u); ++seed) {
     const Shift run(random_flights(seed, 9, 2, 2, true), "double", seed, 2);
     EXPECT_GT(run.structure->toggles(), 0u);
   }

@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
@@ -48,7 +49,7 @@ class PlainForest {
 
 TEST(LinkCutForest, AgreesWithAPlainForest) {
   std::size_t links = 0, cuts = 0, longest = 0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(20u); ++seed) {
     Random random(seed);
     const int n = random.between(2, 24);
     LinkCutForest forest(static_cast<std::size_t>(n));
@@ -82,9 +83,9 @@ TEST(LinkCutForest, AgreesWithAPlainForest) {
       ++cuts;
     }
   }
-  EXPECT_GT(links, 500u);
-  EXPECT_GT(cuts, 400u);
-  EXPECT_GT(longest, 8u);
+  EXPECT_GT(links, test::seen_in_fewer(500u));
+  EXPECT_GT(cuts, test::seen_in_fewer(400u));
+  EXPECT_GT(longest, test::seen_in_fewer(8u));
 }
 
 }  // namespace link_cut_forest_test

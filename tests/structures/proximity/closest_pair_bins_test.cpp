@@ -10,6 +10,7 @@
 
 #include "structures/proximity/point_grid.h"
 #include "structures/registry.h"
+#include "tests/sanitized.h"
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
 
@@ -34,7 +35,7 @@ TEST(ClosestPairBins, BoxOfLinearFlightsIsTight) {
 }
 
 TEST(ClosestPairBins, BoxHoldsCurvedFlights) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(20u); ++seed) {
     const Scene scene = random_flights(seed, 5, 2, 3, seed % 2 == 0);
     const FlightBox box = FlightBox::of(scene);
     const Rational step = (*scene.end - scene.start) / Rational(50);
@@ -73,7 +74,7 @@ TEST(ClosestPairBins, AllAtOnePlace) {
 
 // From nothing to 12 points, and back to nothing: the grid is laid several times.
 TEST(ClosestPairBins, GridsThatGrowAndShrink) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
     SCOPED_TRACE(seed);
     Scene scene = reference_scene(12, 2, seed);
     for (int i = 0; i < 12; ++i) {
@@ -89,13 +90,13 @@ TEST(ClosestPairBins, GridsThatGrowAndShrink) {
 // Lattices stand on the lines of the grid.
 TEST(ClosestPairBins, PointsOnLines) {
   std::uint64_t cells = 0;
-  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(80u); ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = lattice_scene(seed, 10, 2);
     const TwinRun run(scene, twins());
     cells += cells_changed(run);
   }
-  EXPECT_GT(cells, 500u);
+  EXPECT_GT(cells, test::seen_in_fewer(500u));
 }
 
 TEST(ClosestPairBins, NeedsAnEnd) {

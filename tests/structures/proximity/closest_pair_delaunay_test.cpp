@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include "tests/structures/proximity/closest_pair_support.h"
 #include "tests/structures/special_scenes.h"
 
@@ -15,7 +16,7 @@ using Ids = std::vector<ObjectId>;
 TEST(ClosestPair, RandomFlights) {
   std::uint64_t external = 0, updates = 0;
   for (const int degree : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 12u : 5u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(degree == 1 ? 12u : 5u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const Scene scene = random_flights(seed, 9, 2, degree, seed % 2 == 0);
       const PairRun run(scene), twin(scene, "sturm");
@@ -24,14 +25,14 @@ TEST(ClosestPair, RandomFlights) {
       updates += run.ledger().motion_updates;
     }
   }
-  EXPECT_GT(external, 30u);
-  EXPECT_GT(updates, 60u);
+  EXPECT_GT(external, test::seen_in_fewer(30u));
+  EXPECT_GT(updates, test::seen_in_fewer(60u));
 }
 
 TEST(ClosestPair, OrdinaryScenes) {
   std::uint64_t external = 0;
   for (const int degree : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(4u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       Random random(seed);
       std::vector<Trajectory> t;
@@ -40,7 +41,7 @@ TEST(ClosestPair, OrdinaryScenes) {
       external += run.ledger().external;
     }
   }
-  EXPECT_GT(external, 40u);
+  EXPECT_GT(external, test::seen_in_fewer(40u));
 }
 
 TEST(ClosestPair, NoPointToThree) {
@@ -150,12 +151,12 @@ TEST(ClosestPair, SimultaneousEvents) {
 // pair changes at most once.
 TEST(ClosestPair, AllOnOneLineForAnInstant) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(40u); ++seed) {
     SCOPED_TRACE(seed);
     const PairRun run(on_a_line_for_an_instant(seed, 5, 20));
     external += run.ledger().external;
   }
-  EXPECT_GT(external, 40u);
+  EXPECT_GT(external, test::seen_in_fewer(40u));
 }
 
 TEST(ClosestPair, ExtremeNumbers) {
@@ -177,7 +178,7 @@ TEST(ClosestPair, Jumps) {
 TEST(ClosestPair, EndsInInexactArithmetics) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
     for (const int degree : {1, 2}) {
-      for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
         const PairRun run(random_flights(seed, 9, 2, degree, seed % 2 == 0), arithmetic);
         EXPECT_TRUE(run.ledger().corrupt || run.pair().size() <= 2) << arithmetic;
       }

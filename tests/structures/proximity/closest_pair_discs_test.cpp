@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "structures/proximity/closest_pair_discs.h"
+#include "tests/sanitized.h"
 #include "tests/structures/metamorphic.h"
 #include "tests/structures/proximity/meetings_support.h"
 #include "tests/structures/special_scenes.h"
@@ -104,7 +105,7 @@ Scene lattice_of_discs(std::uint64_t seed, int n, int dimension) {
 
 void on_lattices(std::uint64_t seeds) {
   std::uint64_t external = 0, contacts = 0, ties = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
     SCOPED_TRACE(seed);
     const int dimension = seed % 4 == 0 ? 3 : 2;
     const int n = 2 + static_cast<int>(seed % (dimension == 3 ? 5 : 7));
@@ -115,9 +116,9 @@ void on_lattices(std::uint64_t seeds) {
     ties += run.begins_with.size() + run.attribute().size();
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(external, 3 * seeds);
-  EXPECT_GT(contacts, seeds / 2);
-  EXPECT_GT(ties, seeds / 2);
+  EXPECT_GT(external, 3 * test::seen_in_fewer(seeds));
+  EXPECT_GT(contacts, test::seen_in_fewer(seeds) / 2);
+  EXPECT_GT(ties, test::seen_in_fewer(seeds) / 2);
 }
 
 TEST(ClosestPairDiscs, TinyLattices) { on_lattices(300); }
@@ -128,7 +129,10 @@ TEST(SlowClosestPairDiscs, TinyLattices) { on_lattices(3000); }
 TEST(ClosestPairDiscs, RandomFlights) {
   std::uint64_t external = 0, updates = 0;
   for (const int degree : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 8u : degree == 2 ? 4u : 2u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(degree == 1   ? 8u
+                                                     : degree == 2 ? 4u
+                                                                   : 2u);
+         ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const int dimension = degree == 1 && seed % 4 == 3 ? 3 : 2;
       Scene scene = extended_flights(seed, 6, dimension, degree, seed % 2 == 0, Extents::kRadius);
@@ -143,14 +147,14 @@ TEST(ClosestPairDiscs, RandomFlights) {
       updates += run.ledger().motion_updates;
     }
   }
-  EXPECT_GT(external, 25u);
-  EXPECT_GT(updates, 40u);
+  EXPECT_GT(external, test::seen_in_fewer(25u));
+  EXPECT_GT(updates, test::seen_in_fewer(40u));
 }
 
 // From a rational instant on, a run goes on as a fresh one does whose scene begins there.
 TEST(ClosestPairDiscs, AFreshRunFromTheMiddle) {
   const Rational middle(Integer(11), Integer(5));
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(4u); ++seed) {
     SCOPED_TRACE(seed);
     Scene scene = extended_flights(seed, 6, 2, 1, true, Extents::kRadius);
     const TwinRun whole(scene, kAsked);
@@ -286,7 +290,7 @@ TEST(ClosestPairDiscs, Jumps) {
 
 TEST(ClosestPairDiscs, EndsInInexactArithmetics) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
       const Scene scene = lattice_of_discs(seed, 7, 2);
       const TwinRun run(scene, {ask("closest_pair_discs")}, arithmetic);
       EXPECT_TRUE(run.ledger().corrupt || run.attribute().size() <= 2) << arithmetic;

@@ -143,17 +143,17 @@ TEST(Emst, RandomFlights) {
 // Points of {0, 1, 2}^2 with velocities in {-1, 0, 1}^2: most instants are degenerate.
 void on_lattices(std::uint64_t seeds) {
   std::uint64_t external = 0, shared = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
     SCOPED_TRACE(seed);
     const TreeRun run(lattice_scene(seed, 5 + static_cast<int>(seed % 5), 2));
     external += run.ledger().external;
     shared += run.simulator.ledger(0).simultaneous_groups;
   }
-  EXPECT_GT(external, seeds);
-  EXPECT_GT(shared, seeds / 2);
+  EXPECT_GT(external, test::seen_in_fewer(seeds));
+  EXPECT_GT(shared, test::seen_in_fewer(seeds) / 2);
 }
 
-TEST(Emst, TinyLattices) { on_lattices(kSanitized ? 20 : 60); }
+TEST(Emst, TinyLattices) { on_lattices(60); }
 
 TEST(SlowEmst, TinyLattices) { on_lattices(1000); }
 
@@ -218,7 +218,7 @@ TEST(Emst, ExtremeNumbers) {
 
 TEST(Emst, EndsInInexactArithmetics) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(3u); ++seed) {
       const TreeRun flights(random_flights(seed, 9, 2, 1, seed % 2 == 0), arithmetic);
       const TreeRun lattice(lattice_scene(seed, 8, 2), arithmetic);
       EXPECT_TRUE(flights.ledger().corrupt || flights.tree().size() <= 16) << arithmetic;

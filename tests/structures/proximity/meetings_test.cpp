@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include "tests/structures/metamorphic.h"
 #include "tests/structures/proximity/meetings_support.h"
 
@@ -86,7 +87,7 @@ TEST(Meetings, EachTwoMeetOnce) {
 
 void on_lattices(std::uint64_t seeds) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
     SCOPED_TRACE(seed);
     const int n = 3 + static_cast<int>(seed % 5), dimension = 1 + static_cast<int>(seed % 3);
     for (const Extents extents : kBothExtents) {
@@ -95,7 +96,7 @@ void on_lattices(std::uint64_t seeds) {
     }
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(external, 3 * seeds);
+  EXPECT_GT(external, 3 * test::seen_in_fewer(seeds));
 }
 
 TEST(Meetings, TinyLattices) { on_lattices(150); }
@@ -106,7 +107,7 @@ TEST(SlowMeetings, TinyLattices) { on_lattices(2500); }
 TEST(Meetings, RandomFlights) {
   std::uint64_t external = 0, updates = 0;
   for (const int degree : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 8u : 3u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(degree == 1 ? 8u : 3u); ++seed) {
       for (const Extents extents : kBothExtents) {
         SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
         const int dimension = 1 + static_cast<int>(seed % 3);
@@ -119,15 +120,15 @@ TEST(Meetings, RandomFlights) {
       }
     }
   }
-  EXPECT_GT(external, 60u);
-  EXPECT_GT(updates, 60u);
+  EXPECT_GT(external, test::seen_in_fewer(60u));
+  EXPECT_GT(updates, test::seen_in_fewer(60u));
 }
 
 // From a rational instant on, a run goes on as a fresh one does whose scene begins there.
 TEST(Meetings, AFreshRunFromTheMiddle) {
   const Rational middle(Integer(11), Integer(5));
   for (const Extents extents : kBothExtents) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
       SCOPED_TRACE(seed);
       Scene scene = extended_flights(seed, 7, 2, 2, true, extents);
       const TwinRun whole(scene, meetings_in(scene));

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
 #include "tests/structures/special_scenes.h"
@@ -44,7 +45,7 @@ TEST(NearestSite, ReferenceCounts) {
 
 void on_lattices(std::uint64_t seeds, int dimension) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
     SCOPED_TRACE(seed);
     const int n = 5 + static_cast<int>(seed % 5);
     const TwinRun run(lattice_scene(seed, n, dimension),
@@ -52,7 +53,7 @@ void on_lattices(std::uint64_t seeds, int dimension) {
     external += run.ledger().external;
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(external, seeds / 2);
+  EXPECT_GT(external, test::seen_in_fewer(seeds) / 2);
 }
 
 TEST(NearestSite, TinyLattices) { on_lattices(120, 2); }
@@ -68,7 +69,7 @@ TEST(NearestSite, RandomFlights) {
   std::uint64_t external = 0, updates = 0;
   for (const auto& [degree, dimension] : {std::pair{1, 2}, {2, 2}, {3, 2}, {1, 3}, {2, 3}}) {
     const std::uint64_t seeds = dimension == 3 ? (degree == 1 ? 2 : 1) : degree == 1 ? 10 : 4;
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", " + std::to_string(dimension) +
                    " axes, seed " + std::to_string(seed));
       Scene scene = random_flights(seed, 9, dimension, degree, seed % 2 == 0);
@@ -82,13 +83,13 @@ TEST(NearestSite, RandomFlights) {
       updates += run.ledger().motion_updates;
     }
   }
-  EXPECT_GT(external, 20u);
-  EXPECT_GT(updates, 40u);
+  EXPECT_GT(external, test::seen_in_fewer(20u));
+  EXPECT_GT(updates, test::seen_in_fewer(40u));
 }
 
 // The query comes, goes and jumps; there is no tournament for that.
 TEST(NearestSite, TheQueryComesAndGoes) {
-  for (std::uint64_t seed = 1; seed <= 14; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(14u); ++seed) {
     SCOPED_TRACE(seed);
     Scene scene = random_flights(seed, 8, seed <= 12 ? 2 : 3, 1, true);
     for (ObjectId query = 0; query < 8; ++query) {
@@ -164,7 +165,7 @@ TEST(NearestSite, TiesInSpace) {
 
 TEST(NearestSite, SitesOfOnePlaneInSpace) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(12u); ++seed) {
     SCOPED_TRACE(seed);
     Scene scene = lattice_scene(seed, 7, 2);
     scene.dimension = 3;
@@ -179,7 +180,7 @@ TEST(NearestSite, SitesOfOnePlaneInSpace) {
     axes[2][1] += Rational(2);
     external += TwinRun(scene, nearest_to(3)).ledger().external;
   }
-  EXPECT_GT(external, 6u);
+  EXPECT_GT(external, test::seen_in_fewer(6u));
 }
 
 TEST(NearestSite, ExtremeNumbers) {
@@ -192,7 +193,7 @@ TEST(NearestSite, ExtremeNumbers) {
 
 TEST(NearestSite, EndsInInexactArithmetics) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
       const TwinRun lattice(lattice_scene(seed, 8, 2), {ask("nearest_site")}, arithmetic);
       EXPECT_TRUE(lattice.ledger().corrupt || lattice.attribute().size() <= 1) << arithmetic;
     }

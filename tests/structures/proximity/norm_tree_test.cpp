@@ -61,16 +61,16 @@ TEST(NormTree, ReferenceCounts) {
 
 void on_lattices(std::uint64_t seeds) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
     SCOPED_TRACE(seed);
     const int n = 5 + static_cast<int>(seed % 5);
     external += TwinRun(lattice_scene(seed, n, 2), two_trees()).ledger().external;
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(external, 2 * seeds);
+  EXPECT_GT(external, 2 * test::seen_in_fewer(seeds));
 }
 
-TEST(NormTree, TinyLattices) { on_lattices(kSanitized ? 10 : 100); }
+TEST(NormTree, TinyLattices) { on_lattices(100); }
 
 TEST(SlowNormTree, TinyLattices) { on_lattices(1500); }
 
@@ -93,7 +93,7 @@ TEST(NormTree, RandomFlights) {
 // From a rational instant on, a run goes on as a fresh one does whose scene begins there.
 TEST(NormTree, AFreshRunFromTheMiddle) {
   const Rational middle(Integer(11), Integer(5));
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(4u); ++seed) {
     SCOPED_TRACE(seed);
     Scene scene = random_flights(seed, 9, 2, 2, seed % 2 == 0);
     const TwinRun whole(scene, trees());
@@ -192,7 +192,7 @@ TEST(NormTree, ExtremeNumbers) {
 
 TEST(NormTree, EndsInInexactArithmetics) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
       const TwinRun flights(random_flights(seed, 9, 2, 1, seed % 2 == 0), two_trees(), arithmetic);
       const TwinRun lattice(lattice_scene(seed, 8, 2), two_trees(), arithmetic);
       EXPECT_TRUE(flights.ledger().corrupt || flights.attribute().size() <= 16) << arithmetic;

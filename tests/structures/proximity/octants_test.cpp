@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "structures/proximity/cone_neighbours.h"
+#include "tests/sanitized.h"
 #include "tests/structures/metamorphic.h"
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
@@ -125,14 +126,14 @@ TEST(Octants, AFailureChangesTwoPointers) {
     EXPECT_LE(bound.observed + bound.observed, counted(of_kind(run.ledger(), "point")));
   }
   std::uint64_t shared = 0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(20u); ++seed) {
     SCOPED_TRACE(seed);
     const TwinRun run(lattice_scene(seed, 7, 2), {ask("octants_local")});
     const Integer observed = alone(run).observed;
     EXPECT_LE(observed + observed, counted(of_kind(run.ledger(), "point")));
     shared += observed < counted(run.ledger().failures);
   }
-  EXPECT_GT(shared, 10u);
+  EXPECT_GT(shared, test::seen_in_fewer(10u));
   // Two pairs far from each other, each with another order along y from t = 1 on: no failure is alone in its wood.
   const TwinRun twice(scene_of({path({{0}, {-1, 1}}), path({{3}, {0}}), path({{1000}, {499, 1}}),
                                 path({{1003}, {500}})},
@@ -160,13 +161,13 @@ TEST(Octants, EveryOrderIsReversed) {
 
 TEST(Octants, TinyLattices) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= 250; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(250u); ++seed) {
     SCOPED_TRACE(seed);
     const TwinRun run(lattice_scene(seed, 5 + static_cast<int>(seed % 5), 2), octants());
     external += run.ledger().external;
     if (HasFailure()) return;
   }
-  EXPECT_GT(external, 1000u);
+  EXPECT_GT(external, test::seen_in_fewer(1000u));
 }
 
 TEST(SlowOctants, TinyLattices) {
@@ -180,7 +181,7 @@ TEST(SlowOctants, TinyLattices) {
 TEST(Octants, RandomFlights) {
   std::uint64_t external = 0, updates = 0;
   for (const int degree : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const Scene scene = random_flights(seed, 8, 2, degree, seed % 2 == 0);
       const TwinRun run(scene, octants()), twin(scene, octants(), "sturm");
@@ -189,8 +190,8 @@ TEST(Octants, RandomFlights) {
       updates += run.ledger().motion_updates;
     }
   }
-  EXPECT_GT(external, 100u);
-  EXPECT_GT(updates, 20u);
+  EXPECT_GT(external, test::seen_in_fewer(100u));
+  EXPECT_GT(updates, test::seen_in_fewer(20u));
 }
 
 // Equal points stand along (2, 1) by id: consecutive ones are next in an octant.
@@ -263,7 +264,7 @@ TEST(Octants, ExtremeNumbers) {
 
 TEST(Octants, EndInInexactArithmetics) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(4u); ++seed) {
       const TwinRun flights(random_flights(seed, 9, 2, 1, seed % 2 == 0), octants(), arithmetic);
       const TwinRun lattice(lattice_scene(seed, 8, 2), octants(), arithmetic);
       EXPECT_GT(flights.ledger().failures, 0u);
@@ -294,7 +295,7 @@ std::vector<Ids> pairs_at(const std::string& structure, const Image& image,
 TEST(Octants, TransformedScenes) {
   const Key key;
   for (const int degree : {1, 2}) {
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(4u); ++seed) {
       const Scene scene = random_flights(seed, 8, 2, degree, false);
       const Rational span = *scene.end - scene.start;
       std::vector<Rational> times;

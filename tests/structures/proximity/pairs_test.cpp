@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
 #include "tests/structures/special_scenes.h"
@@ -85,14 +86,14 @@ TEST(SlowPairs, ReferenceCountsInSturm) {
 
 TEST(Pairs, TinyLattices) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(60u); ++seed) {
     SCOPED_TRACE(seed);
     const int dimension = 1 + static_cast<int>(seed % 3);
     const Scene scene = lattice_scene(seed, 5 + static_cast<int>(seed % 4), dimension);
     external += TwinRun(scene, pairs_in(dimension)).ledger().external;
     external += TwinRun(scene, colours_in(dimension)).ledger().external;
   }
-  EXPECT_GT(external, 50u);
+  EXPECT_GT(external, test::seen_in_fewer(50u));
 }
 
 TEST(SlowPairs, TinyLattices) {
@@ -107,7 +108,7 @@ TEST(SlowPairs, TinyLattices) {
 TEST(Pairs, RandomFlights) {
   std::uint64_t external = 0, updates = 0;
   for (const int degree : {1, 2}) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const Scene scene = coloured(random_flights(seed, 8, 2, degree, seed % 2 == 0), seed);
       const TwinRun run(scene, red_and_blue()), twin(scene, red_and_blue(), "sturm");
@@ -117,8 +118,8 @@ TEST(Pairs, RandomFlights) {
       updates += run.ledger().motion_updates;
     }
   }
-  EXPECT_GT(external, 15u);
-  EXPECT_GT(updates, 20u);
+  EXPECT_GT(external, test::seen_in_fewer(15u));
+  EXPECT_GT(updates, test::seen_in_fewer(20u));
 }
 
 // n points pass along a row of m of the other colour: all mn pairs are the closest in turn.
@@ -186,7 +187,7 @@ TEST(Pairs, ExtremeNumbers) {
 
 TEST(Pairs, EndInInexactArithmetics) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(4u); ++seed) {
       const TwinRun flights(random_flights(seed, 9, 2, 1, seed % 2 == 0), colours_in(2),
                             arithmetic);
       const TwinRun lattice(lattice_scene(seed, 8, 2), pairs_in(2), arithmetic);
@@ -197,7 +198,7 @@ TEST(Pairs, EndInInexactArithmetics) {
 
 // Structures of some objects only: as if the others were not in the scene.
 TEST(Pairs, OfSomeObjects) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(20u); ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = coloured(random_flights(seed, 10, 2, 1, seed % 2 == 0), seed);
     Scene few = scene;

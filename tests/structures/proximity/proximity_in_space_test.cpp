@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "structures/plan.h"
+#include "tests/sanitized.h"
 #include "tests/structures/event_replay.h"
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
@@ -123,7 +124,7 @@ TEST(SlowProximityInSpace, ReferenceCountsInSturm) {
 }
 
 TEST(ProximityInSpace, TinyLattices) {
-  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::fewer(8u); ++seed) {
     SCOPED_TRACE(seed);
     SpaceRun(lattice_scene(seed, 4 + static_cast<int>(seed % 4), 3));
   }
@@ -137,7 +138,7 @@ TEST(SlowProximityInSpace, TinyLattices) {
 
 // Points come and go, change their flight plans, and some fly together.
 TEST(ProximityInSpace, RandomFlights) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
     SCOPED_TRACE(seed);
     SpaceRun(random_flights(seed, 7, 3, 1 + static_cast<int>(seed % 2), seed % 2 == 0));
   }
@@ -145,7 +146,7 @@ TEST(ProximityInSpace, RandomFlights) {
 
 // All in one plane: every pair is an edge.
 TEST(ProximityInSpace, OnePlane) {
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(4u); ++seed) {
     Scene scene = lattice_scene(seed, 6, 2);
     scene.dimension = 3;
     for (SceneObject& object : scene.objects) {

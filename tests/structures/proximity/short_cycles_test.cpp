@@ -78,19 +78,19 @@ TEST(ShortCycles, AnEdgeOfACycleLeavesTheGraph) {
 // Points of {0, 1, 2}^2 with velocities in {-1, 0, 1}^2: ties, and several failures at most instants.
 void on_lattices(std::uint64_t seeds) {
   std::uint64_t external = 0, internal = 0, ties = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
     SCOPED_TRACE(seed);
     const Pair run(lattice_scene(seed, 5 + static_cast<int>(seed % 6), 2));
     external += run.cycles().external;
     internal += run.cycles().internal;
     ties += run.lines("tie");
   }
-  EXPECT_GT(external, seeds);
-  EXPECT_GT(internal, seeds / 4);
+  EXPECT_GT(external, test::seen_in_fewer(seeds));
+  EXPECT_GT(internal, test::seen_in_fewer(seeds) / 4);
   EXPECT_GT(ties, 0u);
 }
 
-TEST(ShortCycles, TinyLattices) { on_lattices(kSanitized ? 20 : 300); }
+TEST(ShortCycles, TinyLattices) { on_lattices(300); }
 
 // Instants at which several lengths become equal, so that each of two edges is in the cycle of the other:
 // that of one was made before the instant, that of the other at it. When they exchange their cycles,
@@ -141,7 +141,7 @@ TEST(ShortCycles, AFewCertificatesAPoint) {
 
 TEST(ShortCycles, EndsInInexactArithmetics) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(3u); ++seed) {
       const Pair flights(random_flights(seed, 12, 2, 1, seed % 2 == 0), arithmetic);
       const Pair lattice(lattice_scene(seed, 9, 2), arithmetic);
       for (const Pair* run : {&flights, &lattice}) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "structures/registry.h"
+#include "tests/sanitized.h"
 #include "tests/structures/metamorphic.h"
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
@@ -82,7 +83,7 @@ TEST(VoronoiCell2, CellsOfAScene) {
 
 void on_lattices(std::uint64_t seeds) {
   std::uint64_t external = 0, turns = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(seeds); ++seed) {
     SCOPED_TRACE(seed);
     const int n = 5 + static_cast<int>(seed % 5);
     const TwinRun run(lattice_scene(seed, n, 2), {cell_of(static_cast<ObjectId>(seed % 3))});
@@ -90,8 +91,8 @@ void on_lattices(std::uint64_t seeds) {
     turns += count(run, "turn");
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(external, 2 * seeds);
-  EXPECT_GT(turns, seeds / 20);
+  EXPECT_GT(external, 2 * test::seen_in_fewer(seeds));
+  EXPECT_GT(turns, test::seen_in_fewer(seeds) / 20);
 }
 
 TEST(VoronoiCell2, TinyLattices) { on_lattices(150); }
@@ -107,7 +108,7 @@ TEST(SlowVoronoiCell2, TinyLattices) { on_lattices(2000); }
 TEST(VoronoiCell2, RandomFlights) {
   std::uint64_t external = 0, updates = 0;
   for (const int degree : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 10u : 4u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(degree == 1 ? 10u : 4u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const Scene scene = random_flights(seed, 9, 2, degree, seed % 2 == 0);
       const TwinRun run(scene, {cell_of(4)}), twin(scene, {cell_of(4)}, "sturm");
@@ -116,14 +117,14 @@ TEST(VoronoiCell2, RandomFlights) {
       updates += run.ledger().motion_updates;
     }
   }
-  EXPECT_GT(external, 100u);
-  EXPECT_GT(updates, 40u);
+  EXPECT_GT(external, test::seen_in_fewer(100u));
+  EXPECT_GT(updates, test::seen_in_fewer(40u));
 }
 
 // From a rational instant on, a run goes on as a fresh one does whose scene begins there.
 TEST(VoronoiCell2, AFreshRunFromTheMiddle) {
   const Rational middle(Integer(11), Integer(5));
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
     SCOPED_TRACE(seed);
     Scene scene = random_flights(seed, 9, 2, 2, seed % 2 == 0);
     const TwinRun whole(scene, {cell_of(3)});
@@ -156,7 +157,7 @@ TEST(VoronoiCell2, SitesThatComeAndGo) {
   const TwinRun all(from_nothing_to_nothing(), {cell_of(3)});
   EXPECT_EQ(all.begins_with, Ids{});
   EXPECT_EQ(all.attribute(), Ids{});
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(4u); ++seed) {
     for (ObjectId site = 0; site < 8; ++site) {
       const TwinRun run(random_flights(seed, 8, 2, 1, true), {cell_of(site)});
     }
@@ -226,7 +227,7 @@ TEST(VoronoiCell2, TheSiteIsAmongItsSites) {
 
 TEST(VoronoiCell2, EndsInInexactArithmetics) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
       const TwinRun lattice(lattice_scene(seed, 8, 2), {cell_of(2)}, arithmetic);
       EXPECT_TRUE(lattice.ledger().corrupt || lattice.attribute().size() <= 7) << arithmetic;
     }

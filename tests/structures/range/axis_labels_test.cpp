@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "tests/sanitized.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
@@ -71,7 +72,7 @@ TEST(AxisLabels, SpreadEvenly) {
 }
 
 TEST(AxisLabels, InsertionsAnywhere) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(20u); ++seed) {
     Random random(seed);
     constexpr std::size_t kObjects = 60;
     AxisLabels labels(kObjects);

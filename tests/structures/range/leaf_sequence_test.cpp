@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "tests/sanitized.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
@@ -34,7 +35,7 @@ TEST(LeafSequence, Moves) {
 
 // Some leaves are put anywhere; what each is behind then determines the order.
 TEST(LeafSequence, AnyLeavesMoveAnywhere) {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(300u); ++seed) {
     Random random(seed);
     const int n = random.between(1, 12);
     std::vector<ObjectId> order;

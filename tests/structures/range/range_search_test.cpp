@@ -3,6 +3,7 @@
 #include "structures/parts/range_search.h"
 
 #include "structures/range/pseudo_kd_tree_2.h"
+#include "tests/sanitized.h"
 #include "tests/structures/range/range_run.h"
 
 namespace kinex::test {
@@ -49,7 +50,7 @@ void search_all_the_time(Scene scene, std::uint64_t seed, int times, int boxes) 
 }
 
 TEST(RangeSearch, RandomFlights) {
-  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(24u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const int degree = 1 + static_cast<int>(seed % 3);
     search_all_the_time(random_flights(seed, 3 + static_cast<int>(seed), 2, degree, seed % 2 == 0),
@@ -136,7 +137,7 @@ TEST(RangeSearch, CostsOfAGrid) {
 
 TEST(RangeSearch, InexactArithmeticsAnswer) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:24", "sturm"}) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
       SearchedRun run(random_flights(seed, 9, 2, 2, seed % 2 == 0), arithmetic);
       for (int i = 0; i <= 16; ++i) {
         run.simulator.run_until(Rational(Integer(i), Integer(4)));

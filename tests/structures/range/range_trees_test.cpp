@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The trees for range search under motion: exact counts, and audits after every event.
 #include "structures/range/pseudo_kd_tree_2.h"
+#include "tests/sanitized.h"
 #include "tests/structures/range/range_run.h"
 
 namespace kinex::test {
@@ -43,7 +44,7 @@ TEST(RangeTrees, AllPairsChangePlaces) {
 }
 
 TEST(RangeTrees, RandomFlights) {
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(30u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RangeRun run(random_flights(seed, 2 + static_cast<int>(seed), 2, 1 + static_cast<int>(seed % 3),
                                 seed % 2 == 0));
@@ -56,7 +57,7 @@ TEST(RangeTrees, RandomFlights) {
 // `sturm` are audited, too; they end with the same trees after as many events.
 void run_lattices(std::uint64_t first, std::uint64_t last) {
   std::uint64_t changes = 0, settled = 0;
-  for (std::uint64_t seed = first; seed <= last; ++seed) {
+  for (std::uint64_t seed = first; seed <= first + test::fewer(last - first); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const int n = random.between(3, 9), size = random.between(1, 4);
@@ -75,15 +76,15 @@ void run_lattices(std::uint64_t first, std::uint64_t last) {
     settled += kinds.contains("settled") ? kinds.at("settled") : 0;
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(changes, 10 * (last - first));
-  EXPECT_GT(settled, last - first);
+  EXPECT_GT(changes, 10 * test::seen_in_fewer(last - first));
+  EXPECT_GT(settled, test::seen_in_fewer(last - first));
 }
 
 TEST(RangeTrees, RandomLattices) { run_lattices(1, 80); }
 TEST(SlowRangeTrees, RandomLattices) { run_lattices(81, 800); }
 
 TEST(RangeTrees, BuiltAnew) {
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(12u); ++seed) {
     Scene scene = random_flights(seed, 9, 2, 2, seed % 2 == 0);
     scene.maintain = all_trees();
     Simulator simulator(scene, planned_arithmetic("exact", scene),

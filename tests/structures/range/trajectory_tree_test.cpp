@@ -3,6 +3,7 @@
 #include "structures/range/trajectory_tree.h"
 
 #include "structures/range/halving_line.h"
+#include "tests/sanitized.h"
 #include "tests/structures/range/range_run.h"
 
 namespace kinex::test {
@@ -32,7 +33,7 @@ struct Plane {  // dual points of the x coordinates
 
 // Knuth, "Axioms and hulls" (1992): the five axioms of counter-clockwise triples.
 TEST(DualPoints, AreInGeneralPosition) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(60u); ++seed) {
     Random random(seed);
     const int n = 6;
     Plane plane(small_lines(random, n, 1 + static_cast<int>(seed % 3) / 2));
@@ -59,7 +60,7 @@ TEST(DualPoints, AreInGeneralPosition) {
 
 // After halving, the line through the last points of the first halves has these on its left.
 TEST(HalvingLine, HalvesBothSets) {
-  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(120u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const int n = 2 + static_cast<int>(seed) * (seed % 10 == 0 ? 3 : 1);
@@ -115,7 +116,7 @@ void search_all_the_time(Scene scene, std::uint64_t seed, int times, int boxes) 
 }
 
 void search_lattices(std::uint64_t first, std::uint64_t last) {
-  for (std::uint64_t seed = first; seed <= last; ++seed) {
+  for (std::uint64_t seed = first; seed <= first + test::fewer(last - first); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const int n = 1 + static_cast<int>(seed % 120);
@@ -129,7 +130,7 @@ TEST(TrajectoryTree, LatticesAtAnyTime) { search_lattices(1, 60); }
 TEST(SlowTrajectoryTree, LatticesAtAnyTime) { search_lattices(61, 500); }
 
 TEST(TrajectoryTree, PlansThatChange) {
-  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(24u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     search_all_the_time(random_flights(seed, 3 + 2 * static_cast<int>(seed), 2, 1, seed % 2 == 0),
                         seed, 16, 4);
@@ -138,7 +139,7 @@ TEST(TrajectoryTree, PlansThatChange) {
 }
 
 TEST(TrajectoryTree, AuditedRuns) {
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(12u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RangeRun run(random_flights(seed, 2 + 2 * static_cast<int>(seed), 2, 1, seed % 2 == 0), "exact",
                  AuditLevel::kEvents, linear_trees());
@@ -238,7 +239,7 @@ TEST(TrajectoryTree, NeedsLinearMotion) {
 
 TEST(TrajectoryTree, InexactArithmeticsAnswer) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:24", "mpfr:4", "sturm"}) {
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(3u); ++seed) {
       SearchedRun run(random_flights(seed, 20, 2, 1, seed % 2 == 0), arithmetic, linear_trees());
       for (int i = 0; i <= 16; ++i) {
         run.simulator.run_until(Rational(Integer(i), Integer(4)));

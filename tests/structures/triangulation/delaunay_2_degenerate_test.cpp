@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "tests/sanitized.h"
 #include "tests/structures/test_scenes.h"
 #include "tests/structures/triangulation/delaunay_2_support.h"
 
@@ -54,14 +55,14 @@ std::vector<Trajectory> moving_grid(int k, std::uint64_t seed, int speed) {
 }
 
 TEST(Delaunay2Degenerate, GridsWithIntegerVelocities) {
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::fewer(12u); ++seed) {
     const int k = 2 + static_cast<int>(seed % 5);
     run_clean(moving_grid(k, seed, 1 + static_cast<int>(seed % 3)), 0, 4, 1000);
   }
 }
 
 TEST(Delaunay2Degenerate, GridsWithIntegerVelocitiesAreStaticAtAllTimes) {
-  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::fewer(6u); ++seed) {
     expect_same_as_static(moving_grid(3 + static_cast<int>(seed % 3), 50 + seed, 2), 0,
                           steps(1, 18, 6));
   }
@@ -383,7 +384,7 @@ TEST(Delaunay2Degenerate, ReferenceArithmeticAgrees) {
 
 TEST(Delaunay2Degenerate, InexactArithmeticsNeverFallOver) {
   for (const std::string_view arithmetic : {"double", "gsl", "mpfr:4", "mpfr:12", "mpfr:60"}) {
-    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::fewer(8u); ++seed) {
       World world(scene_of(moving_grid(2 + static_cast<int>(seed % 5), seed, 2), 0, 4), arithmetic,
                   AuditLevel::kNone);
       world.run();

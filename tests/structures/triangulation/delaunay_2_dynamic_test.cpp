@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "tests/sanitized.h"
 #include "tests/structures/triangulation/delaunay_2_support.h"
 
 namespace kinex::delaunay_2_test {
@@ -83,18 +84,18 @@ std::vector<Life> random_lives(int n, std::uint64_t seed, std::int64_t size, std
 }
 
 TEST(Delaunay2Dynamic, InsertionsErasuresAndNewMotions) {
-  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::fewer(6u); ++seed) {
     const Scene scene = scene_of_lives(random_lives(24, seed, 100000, 100000), 0, 3);
     World world(scene);
     world.run().expect_clean();
-    EXPECT_GT(world.ledger().insertions + world.ledger().erasures, 5u);
-    EXPECT_GT(world.ledger().motion_updates, 5u);
+    EXPECT_GT(world.ledger().insertions + world.ledger().erasures, test::seen_in_fewer(5u));
+    EXPECT_GT(world.ledger().motion_updates, test::seen_in_fewer(5u));
     expect_same_as_static(scene, steps(20, 8));
   }
 }
 
 TEST(Delaunay2Dynamic, TheSameOnASmallGrid) {
-  for (std::uint64_t seed = 0; seed < 16; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::fewer(16u); ++seed) {
     const int n = 4 + 2 * static_cast<int>(seed);
     const Scene scene = scene_of_lives(random_lives(n, 100 + seed, 4, 4), 0, 3);
     expect_same_as_static(scene, steps(20, 8));
@@ -114,7 +115,7 @@ TEST(Delaunay2Dynamic, ComesFromNothingAndGoesBack) {
 }
 
 TEST(Delaunay2Dynamic, ErasesEveryKindOfVertex) {
-  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::fewer(4u); ++seed) {
     Random random(seed);
     std::vector<Trajectory> motions;
     for (int i = 0; i < 40; ++i) {
@@ -230,7 +231,7 @@ TEST(Delaunay2Dynamic, FallsOntoALineAndLeavesIt) {
 
 TEST(Delaunay2Dynamic, InexactArithmeticsNeverFallOver) {
   for (const std::string_view arithmetic : {"double", "gsl", "mpfr:6", "mpfr:30"}) {
-    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::fewer(6u); ++seed) {
       const std::int64_t size = seed % 2 == 0 ? 4 : 1000;
       World world(scene_of_lives(random_lives(20, seed, size, size), 0, 2), arithmetic,
                   AuditLevel::kNone);

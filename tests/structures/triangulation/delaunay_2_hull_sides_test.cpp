@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "tests/sanitized.h"
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/triangulation/delaunay_2_support.h"
 
@@ -48,7 +49,7 @@ TEST(SlowDelaunay2HullSides, TinyLattices) {
 // Points that slide along one side of the hull and pass each other, with others above: o0 .. o5 are
 // identically on the line y = 0, until a new motion lifts one of them for a while. Degrees 1 to 3.
 TEST(Delaunay2HullSides, ASideOfTheHullThatIsStraightForAWhile) {
-  for (std::uint64_t seed = 0; seed < 24; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::fewer(24u); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const int degree = 1 + static_cast<int>(seed % 3);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "tests/sanitized.h"
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/triangulation/delaunay_2_support.h"
 
@@ -13,7 +14,7 @@ namespace delaunay_2_test {
 
 TEST(Delaunay2, RandomLinearMotion) {
   for (const int n : {3, 4, 5, 6, 8, 12, 30}) {
-    for (std::uint64_t seed = 0; seed < (n < 20 ? 4 : 1); ++seed) {
+    for (std::uint64_t seed = 0; seed < test::fewer(n < 20 ? 4u : 1u); ++seed) {
       World world(scene_of(random_motions(n, 100 * seed + static_cast<unsigned>(n)), 0, 1));
       world.run().expect_clean();
       if (n > 3) {
@@ -26,7 +27,7 @@ TEST(Delaunay2, RandomLinearMotion) {
 
 TEST(Delaunay2, RandomMotionOfHigherDegree) {
   for (const int degree : {2, 3}) {
-    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::fewer(3u); ++seed) {
       World world(scene_of(random_motions(15, 7 * seed, degree), 0, 1));
       world.run().expect_clean();
       EXPECT_EQ(world.ledger().rebuilds, 0u) << world.reasons();
@@ -98,7 +99,7 @@ TEST(Delaunay2, NumberOfEdgesFollowsTheHull) {
 }
 
 TEST(Delaunay2, ExactAndReferenceArithmeticAgree) {
-  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::fewer(3u); ++seed) {
     const Scene scene = scene_of(random_motions(9, 1000 + seed, 1 + static_cast<int>(seed)), 0, 1);
     World exact(scene, "exact", AuditLevel::kEnd), sturm(scene, "sturm", AuditLevel::kEnd);
     sturm.recorder.instants = exact.recorder.instants;
@@ -239,7 +240,7 @@ TEST(Delaunay2, LargeAndSmallNumbersTogether) {
 
 TEST(Delaunay2, InexactArithmeticsNeverFallOver) {
   for (const std::string_view arithmetic : {"double", "gsl", "mpfr:5", "mpfr:20"}) {
-    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::fewer(3u); ++seed) {
       World world(scene_of(random_motions(14, seed), 0, 1), arithmetic, AuditLevel::kNone);
       world.run();
       EXPECT_NE(world.status, RunStatus::kInterrupted) << arithmetic;

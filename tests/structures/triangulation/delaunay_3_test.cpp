@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Delaunay3: counts found by brute force, random flights, tiny lattices, worst cases.
+#include "tests/sanitized.h"
 #include "tests/structures/triangulation/delaunay_3_support.h"
 
 namespace kinex::delaunay_3_test {
@@ -35,7 +36,7 @@ TEST(Delaunay3, ReferenceCounts) {
 TEST(Delaunay3, RandomFlights) {
   std::uint64_t events = 0, updates = 0;
   for (const int degree : {1, 2}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 6u : 4u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::fewer(degree == 1 ? 6u : 4u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       World world(random_flights(seed, 8, 3, degree, seed % 2 == 0));
       world.run().expect_clean();
@@ -43,13 +44,13 @@ TEST(Delaunay3, RandomFlights) {
       updates += world.ledger().motion_updates;
     }
   }
-  EXPECT_GT(events, 100u);
-  EXPECT_GT(updates, 10u);
+  EXPECT_GT(events, test::seen_in_fewer(100u));
+  EXPECT_GT(updates, test::seen_in_fewer(10u));
 }
 
 // Points of {0, 1, 2}^3 with velocities in {-1, 0, 1}^3: most instants are degenerate.
 void tiny_lattices(std::uint64_t first, std::uint64_t last) {
-  for (std::uint64_t seed = first; seed < last; ++seed) {
+  for (std::uint64_t seed = first; seed < first + test::fewer(last - first); ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = lattice_scene(seed, 5 + static_cast<int>(seed % 5), 3);
     World world(scene);
@@ -61,7 +62,7 @@ TEST(Delaunay3, TinyLattices) { tiny_lattices(0, 20); }
 TEST(SlowDelaunay3, TinyLattices) { tiny_lattices(20, 600); }
 
 TEST(Delaunay3, ReferenceArithmeticAgreesOnLattices) {
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(4u); ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = lattice_scene(seed, 7, 3);
     World world(scene, "exact", AuditLevel::kNone), sturm(scene, "sturm", AuditLevel::kNone);
@@ -227,7 +228,7 @@ TEST(Delaunay3, EqualPointsAreHidden) {
 
 TEST(Delaunay3, InexactArithmeticsNeverFallOver) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:12", "mpfr:60"}) {
-    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::fewer(3u); ++seed) {
       World world(lattice_scene(seed, 5 + static_cast<int>(seed % 5), 3), arithmetic,
                   AuditLevel::kNone);
       world.run();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "tests/sanitized.h"
 #include "tests/structures/triangulation/regular_support.h"
 
 namespace kinex::regular_test {
@@ -48,7 +49,7 @@ TEST(Regular3, ReferenceCounts) {
 // Points of {0, 1, 2}^3 with weights in 0 .. 4 and velocities in {-1, 0, 1}: most instants are
 // degenerate.
 void tiny_lattices(std::uint64_t first, std::uint64_t last, bool moving) {
-  for (std::uint64_t seed = first; seed < last; ++seed) {
+  for (std::uint64_t seed = first; seed < first + test::fewer(last - first); ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = weighted_lattice(seed, 5 + static_cast<int>(seed % 5), moving, 3);
     World world(scene);
@@ -127,7 +128,7 @@ TEST(Regular3, Balls) {
 // hidden, follows from ids and orientations alone.
 TEST(Regular3, PointsInOneLiftedPlane) {
   std::uint64_t events = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(12u); ++seed) {
     SCOPED_TRACE(seed);
     test::Random random(seed);
     std::vector<Trajectory> motions;
@@ -155,7 +156,7 @@ TEST(Regular3, PointsInOneLiftedPlane) {
     EXPECT_EQ(world.cells(), static_cells<Regular3>(scene, *scene.end));
     events += world.ledger().external;
   }
-  EXPECT_GT(events, 40u);
+  EXPECT_GT(events, test::seen_in_fewer(40u));
 }
 
 // In the plane z = 0 of the hull one point passes over the line through two others while the point behind
@@ -180,7 +181,7 @@ TEST(Regular3, PointsPassInAPlaneOfTheHull) {
 // last point, which is all that happens there. All facets in the plane are identically flat, and the hull
 // about the last point can come to wind around twice as that in the plane can (seed 81).
 void cones(std::uint64_t first, std::uint64_t last) {
-  for (std::uint64_t seed = first; seed < last; ++seed) {
+  for (std::uint64_t seed = first; seed < first + test::fewer(last - first); ++seed) {
     SCOPED_TRACE(seed);
     const Scene plane = weighted_lattice(seed, 5 + static_cast<int>(seed % 5), true);
     Scene cone = plane;
@@ -246,7 +247,7 @@ TEST(Regular3, EqualPointsFewPointsAndOnePlane) {
 
 void flights(std::uint64_t first, std::uint64_t last) {
   std::uint64_t updates = 0, comings = 0;
-  for (std::uint64_t seed = first; seed < last; ++seed) {
+  for (std::uint64_t seed = first; seed < first + test::fewer(last - first); ++seed) {
     SCOPED_TRACE(seed);
     Scene scene = test::random_flights(seed, 6 + static_cast<int>(seed % 3), 4,
                                        1 + static_cast<int>(seed % 2), seed % 4 < 2);
@@ -257,21 +258,21 @@ void flights(std::uint64_t first, std::uint64_t last) {
     updates += world.ledger().motion_updates;
     comings += world.ledger().insertions + world.ledger().erasures;
   }
-  EXPECT_GT(updates, last - first);
-  EXPECT_GT(comings, (last - first) / 4);
+  EXPECT_GT(updates, test::seen_in_fewer(last - first));
+  EXPECT_GT(comings, test::seen_in_fewer(last - first) / 4);
 }
 TEST(Regular3, FlightPlans) { flights(1, 9); }
 TEST(SlowRegular3, FlightPlans) { flights(9, 80); }
 
 TEST(Regular3, ChangesFromOutside) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
     SCOPED_TRACE(seed);
     come_and_go<Regular3>(seed, 3);
   }
 }
 
 TEST(Regular3, ReferenceArithmeticAgreesOnLattices) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = weighted_lattice(seed, 7, seed % 2 == 0, 3);
     World world(scene, "exact", AuditLevel::kNone), sturm(scene, "sturm", AuditLevel::kNone);
@@ -283,7 +284,7 @@ TEST(Regular3, ReferenceArithmeticAgreesOnLattices) {
 
 TEST(Regular3, InexactArithmeticsEnd) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:60"}) {
-    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::fewer(6u); ++seed) {
       SCOPED_TRACE(std::string(arithmetic) + ", seed " + std::to_string(seed));
       World world(weighted_lattice(seed, 5 + static_cast<int>(seed % 5), seed % 2 == 0, 3),
                   arithmetic, AuditLevel::kNone);

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/bench/aims.h"
 #include "experiments/lab/bench_row.h"
 #include "experiments/lab/bench_run.h"
 #include "experiments/lab/result_table.h"
@@ -144,17 +145,12 @@ void collision(const lab::BenchOptions& options) {
     }
   }
   const Boxes boxes = measure_boxes(options);
-  lab::ResultTable aims(options, "collision_aims", "Aims.",
-                        {{"aim", lab::ResultTable::kText, 62},
-                         {"wanted", 2, 10},
-                         {"measured", 2, 10},
-                         {"met", lab::ResultTable::kText, 4}});
-  aims.row({"events per second of separation_mixed, linear rotors, best row", 200000, best_rate,
-            best_rate >= 200000 ? "yes" : "no"});
-  aims.row({"seconds for 10,000 bodies that cover 1 % of a box", 60, boxes.sparse,
-            boxes.sparse < 60 ? "yes" : "no"});
-  aims.row({"seconds for 10,000 bodies that cover 18 % of a box", 60, boxes.dense,
-            boxes.dense < 60 ? "yes" : "no"});
+  bench::report_aims(
+      "collision_aims",
+      {{"events per second of separation_mixed, linear rotors, best row", 200000, best_rate, false},
+       {"seconds for 10,000 bodies that cover 1 % of a box", 60, boxes.sparse, true},
+       {"seconds for 10,000 bodies that cover 18 % of a box", 60, boxes.dense, true}},
+      options);
 }
 
 }  // namespace

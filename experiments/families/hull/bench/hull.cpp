@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/bench/aims.h"
 #include "experiments/lab/bench_row.h"
 #include "experiments/lab/bench_run.h"
 #include "experiments/lab/result_table.h"
@@ -74,28 +75,11 @@ void add_growth(int n, const lab::BenchRun& exact, lab::ResultTable& table) {
              1e9 * seconds_per_event(exact) / levels});
 }
 
-struct Aim {
-  std::string what;
-  double wanted, measured;
-  bool at_most;
-};
-
-void add_aims(const std::vector<Aim>& aims, const lab::BenchOptions& options) {
-  lab::ResultTable table(options, "hull_aims", "Aims.",
-                         {{"aim", lab::ResultTable::kText, 40},
-                          {"wanted", 2, 10},
-                          {"measured", 2, 10},
-                          {"met", lab::ResultTable::kText, 4}});
-  for (const Aim& aim : aims) {
-    const bool met = aim.at_most ? aim.measured <= aim.wanted : aim.measured >= aim.wanted;
-    table.row({aim.what, aim.wanted, aim.measured, met ? "yes" : "no"});
-  }
-}
-
 // The runs of convex_hull_2 by their n.
 using Growth = std::vector<std::pair<int, lab::BenchRun>>;
 
-void compare_hulls(const lab::BenchOptions& options, Growth& growth, std::vector<Aim>& aims) {
+void compare_hulls(const lab::BenchOptions& options, Growth& growth,
+                   std::vector<bench::Aim>& aims) {
   lab::ResultTable table(
       options, "hull",
       "Kinetic convex hulls on uniform-square, in exact arithmetic; time over double.",
@@ -137,7 +121,7 @@ void compare_hulls(const lab::BenchOptions& options, Growth& growth, std::vector
 
 void hull(const lab::BenchOptions& options) {
   Growth growth;
-  std::vector<Aim> aims;
+  std::vector<bench::Aim> aims;
   compare_hulls(options, growth, aims);
   lab::ResultTable table(
       options, "hull_growth",
@@ -151,7 +135,7 @@ void hull(const lab::BenchOptions& options) {
        {"signs_per_level", 3},
        {"ns_per_level", 0}});
   for (const auto& [n, run] : growth) add_growth(n, run, table);
-  if (!aims.empty()) add_aims(aims, options);
+  bench::report_aims("hull_aims", aims, options);
 }
 
 }  // namespace

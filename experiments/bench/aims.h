@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Aims of a benchmark: figures that a structure is to reach, beside what this run measured. They are
+// reported and never asserted: times differ from machine to machine.
+#ifndef KINEX_EXPERIMENTS_BENCH_AIMS_H
+#define KINEX_EXPERIMENTS_BENCH_AIMS_H
+
+#include <string>
+#include <vector>
+
+#include "experiments/lab/bench_options.h"
+
+namespace kinex::bench {
+
+struct Aim {
+  std::string what;
+  double wanted, measured;
+  bool at_most;  // the measured figure is to be at most, or at least, the wanted one
+
+  bool met() const { return at_most ? measured <= wanted : measured >= wanted; }
+};
+
+// A table of the aims, named `name` in JSON. Writes nothing without aims.
+void report_aims(const std::string& name, const std::vector<Aim>& aims,
+                 const lab::BenchOptions& options);
+
+}  // namespace kinex::bench
+
+#endif

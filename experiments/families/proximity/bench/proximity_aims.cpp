@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Question: do the structures for near points, triangulations and arrangements reach the speed that they are
+//   to have: time in `exact` over that in doubles, events and changes per second, trees against the
+//   triangulation that they read?
+// Workload: the linear rows of `speed` of three families. Rounds of both arithmetics are interleaved; the best
+//   of each counts; times are thread CPU time of the whole run, structures that are read included.
+// Ratio: 0 where doubles handle other events than `exact`, or do not end; such a row meets no aim of ratios.
+// Output: see result_table.h; options: see bench_options.h. A run in part (--rows) has no aims.
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "experiments/bench/aims.h"
+#include "experiments/lab/bench_row.h"
+#include "experiments/lab/bench_run.h"
+#include "experiments/lab/family.h"
+#include "experiments/lab/result_table.h"
+
+namespace {
+
+using namespace kinex;
+
+constexpr std::array<std::string_view, 3> kFamilies{"proximity", "triangulation", "arrangement"};
+// Their certificates, of linear motion, are of a degree above 2; those of the others are not.
+constexpr std::array<std::string_view, 5> kHigherDegree{"delaunay_2", "delaunay_3", "regular_2",
+                                                        "regular_3", "closest_pair_discs"};
+constexpr double kMostRatio = 1.3, kMostRatioInSpace = 1.5;
+constexpr double kLeastSeconds = 0.3, kLongSeconds = 20;
+
+struct Measured {
+  std::string_view structure, workload;
+  int n = 0;
+  lab::BenchRun exact;
+  double ratio = 0;  // over doubles; 0: these handle other events
+};
+
+bool is_one_of(std::string_view name, const auto& names) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+// What an event of the run's first structure changes: of those that it reads, all together.
+double changes_per_second(const lab::BenchRun& run) {
+  std::uint64_t changes = 0;
+  for (const StructureLedger& ledger : run.structures) changes += ledger.processed;
+  return static_cast<double>(changes) / run.seconds;
+}
+
+std::vector<lab::BenchRow> linear_rows(const lab::BenchOptions& options) {
+  std::vector<lab::BenchRow> rows;
+  for (lab::BenchRow& row : lab::bench_rows("speed", options)) {
+    const lab::FamilyExperiments* const family = lab::experiments_on(row.structure);
+    if (family == nullptr || !is_one_of(family->name, kFamilies) || row.parameters.degree != 1)
+      continue;
+    // Scenes full of ties and of new plans have rows of their own in `speed`.
+    if (row.workload != "uniform-square" && !row.workload.starts_with("random-") &&
+        row.workload != "apart-discs")
+      continue;
+    if (!is_one_of("double", row.arithmetics) || row.parameters.n >= 100'000) continue;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Measured measure(const lab::BenchRow& row, const lab::BenchOptions& options) {
+  const Scene scene = lab::scene_of(row);
+  const lab::BenchRun first = lab::run_once(scene, {.arithmetic = "exact", .events = row.events});
+  // Doubles that cycle are stopped.
+  const std::uint64_t most = row.events != 0 ? row.events : 4 * first.events + 1000;
+  const int rounds = first.seconds > kLongSeconds ? 1 : row.rounds;
+  const std::vector<lab::BenchRun> best = lab::best_of_rounds(
+      {[&] { return lab::run_once(scene, {.arithmetic = "exact", .events = most}); },
+       [&] { return lab::run_once(scene, {.arithmetic = "double", .events = most}); }},
+      {.count = rounds, .least_seconds = options.smoke ? 0 : kLeastSeconds});
+  const bool same = lab::same_events(best[0], best[1]);
+  return {row.structure, row.workload, row.parameters.n, best[0],
+          same ? best[0].seconds / best[1].seconds : 0};
+}
+
+void add_row(const Measured& m, lab::ResultTable& table) {
+  const double events = static_cast<double>(m.exact.events);
+  table.row({m.structure, m.workload, m.n, m.exact.events, m.exact.seconds,
+             events / m.exact.seconds, changes_per_second(m.exact), m.ratio});
+}
+
+std::string place(const Measured& m) {
+  return std::string(m.workload) + ", n = " + std::to_string(m.n);
+}
+
+// The aims of the rows; the worst row of each structure counts for its ratio.
+std::vector<bench::Aim> aims_of(const std::vector<Measured>& rows) {
+  std::vector<bench::Aim> aims;
+  std::map<std::string_view, const Measured*> worst;
+  for (const Measured& m : rows) {
+    const Measured*& known = worst[m.structure];
+    if (known == nullptr || m.ratio == 0 || (known->ratio != 0 && m.ratio > known->ratio))
+      known = &m;
+  }
+  for (const auto& [structure, m] : worst) {
+    const bool in_space = structure == "delaunay_3" || structure == "regular_3";
+    if (is_one_of(structure, kHigherDegree) && !in_space) continue;
+    const double most = in_space ? kMostRatioInSpace : kMostRatio;
+    // What doubles do not finish has no ratio, and is said to have none.
+    if (m->ratio == 0) continue;
+    aims.push_back(
+        {"exact / double of " + std::string(structure) + ", " + place(*m), most, m->ratio, true});
+  }
+  std::map<std::pair<std::string_view, int>, double> seconds;
+  for (const Measured& m : rows) {
+    if (m.workload != "uniform-square") continue;
+    const double per_second = static_cast<double>(m.exact.events) / m.exact.seconds;
+    if (m.structure == "delaunay_3") {
+      aims.push_back({"events per second of delaunay_3, n = " + std::to_string(m.n), 100'000,
+                      per_second, false});
+    }
+    if (m.structure == "closest_pair_local" && m.n == 10'000) {
+      aims.push_back({"changes per second of closest_pair_local, n = 10000", 500'000,
+                      changes_per_second(m.exact), false});
+    }
+    seconds.try_emplace({m.structure, m.n}, m.exact.seconds);
+  }
+  const auto tree = seconds.find({"emst_cycles", 1000}), read = seconds.find({"delaunay_2", 1000});
+  if (tree != seconds.end() && read != seconds.end()) {
+    aims.push_back({"time of emst_cycles over that of delaunay_2, n = 1000", 2,
+                    tree->second / read->second, true});
+  }
+  return aims;
+}
+
+void proximity_aims(const lab::BenchOptions& options) {
+  std::vector<Measured> rows;
+  {
+    lab::ResultTable table(
+        options, "proximity_speed",
+        "Near points, triangulations, arrangements, in exact arithmetic: whole runs of linear "
+        "motion, what is read included; events are certificate failures, changes what structures "
+        "report; time over double (0: doubles handle other events, or do not finish).",
+        {{"structure", lab::ResultTable::kText, 26},
+         {"scene", lab::ResultTable::kText, 23},
+         {"n", 0, 6},
+         {"events", 0, 9},
+         {"seconds", 4},
+         {"events_per_second", 0},
+         {"changes_per_second", 0},
+         {"time_over_double", 2}});
+    for (const lab::BenchRow& row : linear_rows(options)) {
+      rows.push_back(measure(row, options));
+      add_row(rows.back(), table);
+    }
+  }
+  if (!options.smoke && options.rows.empty())
+    bench::report_aims("proximity_aims", aims_of(rows), options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return kinex::lab::bench_main(argc, argv, proximity_aims); }
