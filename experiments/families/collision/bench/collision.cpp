@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/bench/aims.h"
+#include "experiments/lab/bench_aims.h"
 #include "experiments/lab/bench_row.h"
 #include "experiments/lab/bench_run.h"
 #include "experiments/lab/result_table.h"
@@ -145,7 +145,7 @@ void collision(const lab::BenchOptions& options) {
     }
   }
   const Boxes boxes = measure_boxes(options);
-  bench::report_aims(
+  lab::report_aims(
       "collision_aims",
       {{"events per second of separation_mixed, linear rotors, best row", 200000, best_rate, false},
        {"seconds for 10,000 bodies that cover 1 % of a box", 60, boxes.sparse, true},

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/bench/aims.h"
+#include "experiments/lab/bench_aims.h"
 #include "experiments/lab/bench_row.h"
 #include "experiments/lab/bench_run.h"
 #include "experiments/lab/result_table.h"
@@ -78,8 +78,7 @@ void add_growth(int n, const lab::BenchRun& exact, lab::ResultTable& table) {
 // The runs of convex_hull_2 by their n.
 using Growth = std::vector<std::pair<int, lab::BenchRun>>;
 
-void compare_hulls(const lab::BenchOptions& options, Growth& growth,
-                   std::vector<bench::Aim>& aims) {
+void compare_hulls(const lab::BenchOptions& options, Growth& growth, std::vector<lab::Aim>& aims) {
   lab::ResultTable table(
       options, "hull",
       "Kinetic convex hulls on uniform-square, in exact arithmetic; time over double.",
@@ -121,7 +120,7 @@ void compare_hulls(const lab::BenchOptions& options, Growth& growth,
 
 void hull(const lab::BenchOptions& options) {
   Growth growth;
-  std::vector<bench::Aim> aims;
+  std::vector<lab::Aim> aims;
   compare_hulls(options, growth, aims);
   lab::ResultTable table(
       options, "hull_growth",
@@ -135,7 +134,7 @@ void hull(const lab::BenchOptions& options) {
        {"signs_per_level", 3},
        {"ns_per_level", 0}});
   for (const auto& [n, run] : growth) add_growth(n, run, table);
-  bench::report_aims("hull_aims", aims, options);
+  lab::report_aims("hull_aims", aims, options);
 }
 
 }  // namespace

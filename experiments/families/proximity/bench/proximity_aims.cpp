@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/bench/aims.h"
+#include "experiments/lab/bench_aims.h"
 #include "experiments/lab/bench_row.h"
 #include "experiments/lab/bench_run.h"
 #include "experiments/lab/family.h"
@@ -91,8 +91,8 @@ std::string place(const Measured& m) {
 }
 
 // The aims of the rows; the worst row of each structure counts for its ratio.
-std::vector<bench::Aim> aims_of(const std::vector<Measured>& rows) {
-  std::vector<bench::Aim> aims;
+std::vector<lab::Aim> aims_of(const std::vector<Measured>& rows) {
+  std::vector<lab::Aim> aims;
   std::map<std::string_view, const Measured*> worst;
   for (const Measured& m : rows) {
     const Measured*& known = worst[m.structure];
@@ -152,7 +152,7 @@ void proximity_aims(const lab::BenchOptions& options) {
     }
   }
   if (!options.smoke && options.rows.empty())
-    bench::report_aims("proximity_aims", aims_of(rows), options);
+    lab::report_aims("proximity_aims", aims_of(rows), options);
 }
 
 }  // namespace

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Aims of a benchmark: figures that a structure is to reach, beside what this run measured. They are
 // reported and never asserted: times differ from machine to machine.
-#ifndef KINEX_EXPERIMENTS_BENCH_AIMS_H
-#define KINEX_EXPERIMENTS_BENCH_AIMS_H
+#ifndef KINEX_EXPERIMENTS_LAB_BENCH_AIMS_H
+#define KINEX_EXPERIMENTS_LAB_BENCH_AIMS_H
 
 #include <string>
 #include <vector>
 
 #include "experiments/lab/bench_options.h"
 
-namespace kinex::bench {
+namespace kinex::lab {
 
 struct Aim {
   std::string what;
@@ -21,8 +21,8 @@ struct Aim {
 
 // A table of the aims, named `name` in JSON. Writes nothing without aims.
 void report_aims(const std::string& name, const std::vector<Aim>& aims,
-                 const lab::BenchOptions& options);
+                 const BenchOptions& options);
 
-}  // namespace kinex::bench
+}  // namespace kinex::lab
 
 #endif
