@@ -3,7 +3,8 @@
 //   to have: time in `exact` over that in doubles, events and changes per second, trees against the
 //   triangulation that they read?
 // Workload: the linear rows of `speed` of three families. Rounds of both arithmetics are interleaved; the best
-//   of each counts; times are thread CPU time of the whole run, structures that are read included.
+//   of each counts (one round of runs longer than 1.5 seconds); times are thread CPU time of the whole run,
+//   structures that are read included.
 // Ratio: 0 where doubles handle other events than `exact`, or do not end; such a row meets no aim of ratios.
 // Output: see result_table.h; options: see bench_options.h. A run in part (--rows) has no aims.
 #include <algorithm>
@@ -29,7 +30,7 @@ constexpr std::array<std::string_view, 3> kFamilies{"proximity", "triangulation"
 constexpr std::array<std::string_view, 5> kHigherDegree{"delaunay_2", "delaunay_3", "regular_2",
                                                         "regular_3", "closest_pair_discs"};
 constexpr double kMostRatio = 1.3, kMostRatioInSpace = 1.5;
-constexpr double kLeastSeconds = 0.3, kLongSeconds = 20;
+constexpr double kLeastSeconds = 0.3, kLongSeconds = 1.5;
 
 struct Measured {
   std::string_view structure, workload;
