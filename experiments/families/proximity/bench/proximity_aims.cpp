@@ -46,7 +46,7 @@ bool is_one_of(std::string_view name, const auto& names) {
   return std::ranges::find(names, name) != names.end();
 }
 
-// What an event of the run's first structure changes: of those that it reads, all together.
+// Changes that all structures of the run report, those that are read included.
 double changes_per_second(const lab::BenchRun& run) {
   std::uint64_t changes = 0;
   for (const StructureLedger& ledger : run.structures) changes += ledger.processed;
