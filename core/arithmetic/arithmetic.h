@@ -167,6 +167,8 @@ class Arithmetic {
   virtual std::string number_model() const { return name(); }
   virtual std::string polynomial_model(PredicateId id) const;
   std::size_t predicates() const { return predicates_.size(); }
+  // True if they differ at most in whether they fail at touches (touch.h).
+  bool have_same_value(PredicateId a, PredicateId b) const { return plain_[a] == plain_[b]; }
 
   const ArithmeticCounters& counters() const { return counters_; }
   // The number of failure times requested so far of certificates that may be zero at now: it counts

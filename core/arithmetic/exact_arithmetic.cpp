@@ -171,6 +171,14 @@ std::optional<Sign> ExactArithmetic::sign_over_now(const Approximation& p) const
   const double error = filter::gamma(d) * magnitude + slope * (now_.hi - now_.lo) * (1 + 0x1p-20);
   if (value > error) return Sign::kPositive;
   if (value < -error) return Sign::kNegative;
+  if (now_.lo == now_.hi || !(std::fabs(value) > filter::gamma(d) * magnitude)) return std::nullopt;
+  // Where terms cancel the coefficients are far smaller than their bounds: |c_j| + gamma m_j is closer.
+  double steep = d * std::fabs(p.c[d]);
+  for (int i = d - 1; i > 0; --i) steep = steep * bound + i * std::fabs(p.c[i]);
+  const double closer = filter::gamma(d) * magnitude + (steep + 2 * filter::gamma(d) * slope) *
+                                                           (now_.hi - now_.lo) * (1 + 0x1p-20);
+  if (value > closer) return Sign::kPositive;
+  if (value < -closer) return Sign::kNegative;
   return std::nullopt;
 }
 

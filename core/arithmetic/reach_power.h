@@ -22,17 +22,35 @@ void square_of(const R* p, R* out) {
   }
 }
 
-template <int D, class R>  // the coefficients of p^h
+// The coefficients of p q, of degrees D and E.
+template <int D, int E, class R>
+void product_of(const R* p, const R* q, R* out) {
+  for (int i = 0; i <= D + E; ++i) out[i] = 0;
+  for (int i = 0; i <= D; ++i) {
+    for (int j = 0; j <= E; ++j) out[i + j] += p[i] * q[j];
+  }
+}
+
+// The coefficients of p^h. Loops of a fixed length are unrolled: this is a good part of a query's time.
+template <int D, class R>
 void power_of(const R* p, int h, R* out) {
+  if (h == 1) {
+    for (int i = 0; i <= D; ++i) out[i] = p[i];
+    return;
+  }
   R squared[2 * D + 1];
   square_of<D>(p, squared);
-  if (h == 4) return square_of<2 * D>(squared, out);
   if (h == 2) {
     for (int i = 0; i <= 2 * D; ++i) out[i] = squared[i];
     return;
   }
-  for (int i = 0; i <= D; ++i) out[i] = p[i];
-  for (int k = 1; k < h; ++k) {
+  if (h == 3) return product_of<2 * D, D>(squared, p, out);
+  if (h == 4) return square_of<2 * D>(squared, out);
+  R fourth[4 * D + 1];
+  square_of<2 * D>(squared, fourth);
+  if (h == 5) return product_of<4 * D, D>(fourth, p, out);
+  product_of<4 * D, 2 * D>(fourth, squared, out);
+  for (int k = 6; k < h; ++k) {
     R product[kMaxFixedCoefficients];
     for (int i = 0; i <= (k + 1) * D; ++i) product[i] = 0;
     for (int i = 0; i <= k * D; ++i) {

@@ -16,10 +16,11 @@ namespace {
 
 // Claims of a predicate of three axes or more, weights included, that alternates in all its arguments,
 // on one set of points: one polynomial, up to its sign. A flip of three cells into two fails three such
-// certificates at once, and so does a point of the plane that hides. (In the plane without weights such
-// certificates fail together only where points coincide.)
+// certificates at once, on the hull some that fail at touches and some that do not, and so does a point
+// of the plane that hides. (In the plane without weights such certificates fail together only where points
+// coincide.)
 bool claim_as_one(const Arithmetic& arithmetic, const Query& a, const Query& b) {
-  if (a.predicate != b.predicate || a.arity < 4) return false;
+  if (!arithmetic.have_same_value(a.predicate, b.predicate) || a.arity < 4) return false;
   const Predicate& predicate = arithmetic.predicate(a.predicate);
   return predicate.dimension() >= 3 && predicate.alternating() == predicate.arity() &&
          sorted_ids(a) == sorted_ids(b);

@@ -12,7 +12,7 @@
 //   apply():         cd takes the leaf of ab                 one path is decided, bottom up
 //
 // Claims are about values:
-//   using Value;                      totally ordered by <=>
+//   using Value;                      an array of ids, totally ordered by <=>
 //   Query claim(front, back)          >= 0 iff `front` is in front of `back` or level with it; or
 //                                     choose and claims_of (CasedClaims, parts/match_proof.h)
 //   bool goes_first(front, back)      of two that are level identically: a strict total order
@@ -24,10 +24,13 @@
 #ifndef KINEX_STRUCTURES_PARTS_CHANGING_EXTREMUM_H
 #define KINEX_STRUCTURES_PARTS_CHANGING_EXTREMUM_H
 
-#include <map>
-#include <set>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -49,78 +52,75 @@ class ChangingExtremum {
   const ValueClaims& claims() const { return tournament_.claims().claims; }
   const Slots& slots() const { return tournament_.slots(); }
   // The number of values in the set, applied or not.
-  std::size_t size() const { return number_.size(); }
-  bool has(const Value& value) const { return number_.contains(value); }
-  // In ascending order.
+  std::size_t size() const { return size_; }
+  bool has(const Value& value) const {
+    const auto place = number_.find(value);
+    return place != number_.end() && place->second.state != State::kGoing;
+  }
+  // In ascending order. O(n log n).
   std::vector<Value> values() const {
     std::vector<Value> result;
-    for (const auto& [value, item] : number_) result.push_back(value);
+    for (const auto& [value, entry] : number_) {
+      if (entry.state != State::kGoing) result.push_back(value);
+    }
+    std::sort(result.begin(), result.end());
     return result;
   }
 
-  // False, with nothing changed, if it is there already. O(log n).
+  // False, with nothing changed, if it is there already. O(1), by hashing.
   bool come(const Value& value) {
-    const auto [place, fresh] = number_.try_emplace(value, kNoItem);
-    if (!fresh) return false;
-    const auto back = going_.find(value);
-    if (back != going_.end()) {
-      place->second = back->second;
-      going_.erase(back);
-      return true;
+    const auto [place, fresh] = number_.try_emplace(value);
+    Entry& entry = place->second;
+    if (!fresh && entry.state != State::kGoing) return false;
+    ++size_;
+    if (fresh) {
+      entry = {new_item(value), State::kComing};
+      coming_.push_back(entry.item);
+    } else {
+      entry.state = State::kThere;
     }
-    place->second = new_item(value);
-    coming_.emplace(place->second);
     return true;
   }
-  // False, with nothing changed, if it is not there. O(log n).
+  // False, with nothing changed, if it is not there. O(1), by hashing.
   bool go(const Value& value) {
     const auto place = number_.find(value);
-    if (place == number_.end()) return false;
-    const Item item = place->second;
-    number_.erase(place);
-    if (coming_.erase(item) != 0) {
-      free_.push_back(item);
+    if (place == number_.end() || place->second.state == State::kGoing) return false;
+    --size_;
+    if (place->second.state == State::kComing) {
+      free_.push_back(place->second.item);
+      number_.erase(place);
     } else {
-      going_.emplace(value, item);
+      place->second.state = State::kGoing;
+      going_.push_back(value);
     }
     return true;
   }
   // The set is this one, in ascending order and without repetitions: calls go and come for the
-  // difference. O(n).
+  // difference. O(n log n).
   void assign(std::span<const Value> values) {
+    const std::vector<Value> there = this->values();
     std::vector<Value> gone, came;
-    auto there = number_.begin();
-    for (const Value& value : values) {
-      for (; there != number_.end() && there->first < value; ++there) gone.push_back(there->first);
-      if (there != number_.end() && there->first == value) {
-        ++there;
-      } else {
-        came.push_back(value);
-      }
-    }
-    for (; there != number_.end(); ++there) gone.push_back(there->first);
+    std::set_difference(there.begin(), there.end(), values.begin(), values.end(),
+                        std::back_inserter(gone));
+    std::set_difference(values.begin(), values.end(), there.begin(), there.end(),
+                        std::back_inserter(came));
     for (const Value& value : gone) go(value);
     for (const Value& value : came) come(value);
   }
   // Makes the collected changes effective, right after now. tied(old, fresh) gets values.
   template <class Tied>
   void apply(const Tied& tied) {
-    gone_.clear();
-    for (const auto& [value, item] : going_) gone_.push_back(item);
-    came_.assign(coming_.begin(), coming_.end());
-    going_.clear();
-    coming_.clear();
+    take_changes();
     if (!gone_.empty() || !came_.empty()) tournament_.update(gone_, came_, by_value(tied));
     free_.insert(free_.end(), gone_.rbegin(), gone_.rend());
   }
-  // Applies what has changed and makes the whole proof anew. O(n).
+  // Applies what has changed and makes the whole proof anew. O(n log n).
   template <class Tied>
   void rebuild(const Tied& tied) {
+    take_changes();
+    free_.insert(free_.end(), gone_.begin(), gone_.end());
     std::vector<Item> items;
-    for (const auto& [value, item] : number_) items.push_back(item);
-    for (const auto& [value, item] : going_) free_.push_back(item);
-    going_.clear();
-    coming_.clear();
+    for (const Value& value : values()) items.push_back(number_.at(value).item);
     tournament_.build(std::move(items), by_value(tied));
   }
 
@@ -156,21 +156,41 @@ class ChangingExtremum {
   void check(AuditReport& report, const std::string& name) const {
     report.check(going_.empty() && coming_.empty(),
                  [&] { return "changes of " + name + " were not applied"; });
-    report.check(tournament_.size() == number_.size(),
+    report.check(tournament_.size() == size_ && number_.size() == size_,
                  [&] { return "a wrong number of values in " + name; });
-    for (const auto& [value, item] : number_) {
+    for (const Value& value : values()) {
+      const Item item = number_.at(value).item;
       report.check(tournament_.has(item) && this->value(item) == value,
                    [&] { return "a lost value in " + name; });
     }
     tournament_.check(report, name);
   }
   std::size_t bytes() const {
-    return tournament_.bytes() + number_.size() * (sizeof(Value) + 48) +
+    return tournament_.bytes() + number_.size() * (sizeof(Value) + 40) +
            tournament_.claims().values.capacity() * sizeof(Value) +
-           (free_.capacity() + gone_.capacity() + came_.capacity()) * sizeof(Item);
+           going_.capacity() * sizeof(Value) +
+           (free_.capacity() + gone_.capacity() + came_.capacity() + coming_.capacity()) *
+               sizeof(Item);
   }
 
  private:
+  enum class State : std::uint8_t { kThere, kComing, kGoing };  // as applied, and as collected
+  struct Entry {
+    Item item = kNoItem;
+    State state = State::kComing;
+  };
+  // For lookups only: no order depends on it.
+  struct Hash {
+    std::size_t operator()(const Value& value) const {
+      std::uint64_t h = 0;
+      for (const auto part : value) {
+        h = (h ^ part) * 0x9e3779b97f4a7c15u;
+        h ^= h >> 29;
+      }
+      return static_cast<std::size_t>(h);
+    }
+  };
+
   // The claims of the tournament: about the values of items.
   struct Numbered {
     ValueClaims claims;
@@ -199,6 +219,29 @@ class ChangingExtremum {
   auto by_value(const Tied& tied) const {
     return [this, &tied](Item a, Item b) { tied(value(a), value(b)); };
   }
+  // Into gone_, ascending by value, and came_, ascending by number. What was collected may be out of date.
+  void take_changes() {
+    gone_.clear();
+    came_.clear();
+    std::sort(going_.begin(), going_.end());
+    going_.erase(std::unique(going_.begin(), going_.end()), going_.end());
+    for (const Value& value : going_) {
+      const auto place = number_.find(value);
+      if (place == number_.end() || place->second.state != State::kGoing) continue;
+      gone_.push_back(place->second.item);
+      number_.erase(place);
+    }
+    std::sort(coming_.begin(), coming_.end());
+    coming_.erase(std::unique(coming_.begin(), coming_.end()), coming_.end());
+    for (const Item item : coming_) {
+      const auto place = number_.find(value(item));
+      if (place == number_.end() || place->second.item != item) continue;
+      place->second.state = State::kThere;
+      came_.push_back(item);
+    }
+    going_.clear();
+    coming_.clear();
+  }
   Item new_item(const Value& value) {
     std::vector<Value>& values = tournament_.claims().values;
     if (free_.empty()) {
@@ -212,9 +255,10 @@ class ChangingExtremum {
   }
 
   KineticTournament<Numbered> tournament_;
-  std::map<Value, Item> number_;
-  std::map<Value, Item> going_;
-  std::set<Item> coming_;
+  std::unordered_map<Value, Entry, Hash> number_;
+  std::size_t size_ = 0;  // of these, without those that go
+  std::vector<Value> going_;
+  std::vector<Item> coming_;
   std::vector<Item> free_;
   std::vector<Item> gone_, came_;  // scratch
 };

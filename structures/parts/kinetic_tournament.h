@@ -116,7 +116,7 @@ class KineticTournament {
     for (const Item item : gone.subspan(both)) take_out(item);
     for (const Item item : came.subspan(both)) put_in(item);
     epochs_.begin(touched_, leaves_);
-    for (const Node v : touched_) decide(v, tied);
+    decide_above(tied);
   }
   template <TieReport Tied>
   void insert(Item item, const Tied& tied) {
@@ -250,6 +250,26 @@ class KineticTournament {
       set_node(v, a, b, tied);
     } else {
       set_node(v, b, a, tied);
+    }
+  }
+
+  // Decides the nodes of touched_, children first, and those above them whose opponents are others now. A
+  // winner that stays has the same value: items that leave and those that join have other numbers.
+  template <TieReport Tied>
+  void decide_above(const Tied& tied) {
+    std::make_heap(touched_.begin(), touched_.end());
+    Node last = 0;
+    while (!touched_.empty()) {
+      std::pop_heap(touched_.begin(), touched_.end());
+      const Node v = touched_.back();
+      touched_.pop_back();
+      if (v == last || v == 0 || v >= leaves_) continue;
+      last = v;
+      const Item before = winner_[v];
+      decide(v, tied);
+      if (winner_[v] == before) continue;
+      touched_.push_back(v / 2);
+      std::push_heap(touched_.begin(), touched_.end());
     }
   }
 

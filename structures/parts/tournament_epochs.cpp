@@ -2,7 +2,7 @@
 #include "structures/parts/tournament_epochs.h"
 
 #include <algorithm>
-#include <functional>
+#include <bit>
 
 #include "core/engine/bound.h"
 
@@ -12,24 +12,30 @@ namespace {
 // v's descendants k levels below it are v 2^k .. (v + 1) 2^k - 1. Counts those on the lowest level,
 // in pairs of siblings, and those one level above without children.
 std::size_t leaves_below(std::size_t v, std::size_t leaves) {
-  std::size_t width = 1;
-  while (2 * width * v < 2 * leaves) width *= 2;
-  if (width == 1) return 1;
+  int levels = std::bit_width(2 * leaves - 1) - std::bit_width(v);
+  if ((v << levels) >= 2 * leaves) --levels;
+  if (levels == 0) return 1;
+  const std::size_t width = std::size_t{1} << levels;
   const std::size_t lowest = std::min(width, 2 * leaves - width * v);
   return width / 2 + lowest / 2;
 }
 
 }  // namespace
 
-void TournamentEpochs::begin(std::vector<Node>& nodes, std::size_t leaves) {
-  const std::size_t given = nodes.size();
-  for (std::size_t i = 0; i < given; ++i) {
-    for (Node v = nodes[i] / 2; v >= 1; v /= 2) nodes.push_back(v);
+void TournamentEpochs::begin(std::span<const Node> nodes, std::size_t leaves) {
+  const bool one_path = std::ranges::all_of(nodes, [&](Node v) { return v == nodes.front(); });
+  above_.clear();
+  for (const Node first : one_path ? nodes.first(std::min<std::size_t>(nodes.size(), 1)) : nodes) {
+    for (Node v = first; v >= 1; v /= 2) {
+      if (v < leaves) above_.push_back(v);
+    }
   }
-  std::erase_if(nodes, [leaves](Node v) { return v == 0 || v >= leaves; });
-  std::sort(nodes.begin(), nodes.end(), std::greater<>());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  for (const Node v : nodes) ++nodes_[leaves_below(v, leaves)];
+  if (!one_path) {
+    std::sort(above_.begin(), above_.end());
+    above_.erase(std::unique(above_.begin(), above_.end()), above_.end());
+  }
+  if (nodes_.size() <= leaves) nodes_.resize(leaves + 1, 0);
+  for (const Node v : above_) ++nodes_[leaves_below(v, leaves)];
 }
 
 template <class Most>
@@ -38,7 +44,9 @@ Integer TournamentEpochs::most_in_epochs(const Most& most) const {
   const auto add = [&](std::size_t leaves, std::uint64_t epochs) {
     sum += Integer(static_cast<std::int64_t>(epochs)) * most(leaves);
   };
-  for (const auto& [leaves, epochs] : nodes_) add(leaves, epochs);
+  for (std::size_t leaves = 0; leaves < nodes_.size(); ++leaves) {
+    if (nodes_[leaves] != 0) add(leaves, nodes_[leaves]);
+  }
   for (const auto& [leaves, trees] : trees_) {
     std::vector<std::size_t> below(2 * std::max<std::size_t>(leaves, 1), 1);
     std::map<std::size_t, std::uint64_t> nodes;

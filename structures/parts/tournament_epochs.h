@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "core/numbers/integer.h"
@@ -38,26 +39,29 @@ class TournamentEpochs {
 
   // A tree of n leaves was built.
   void built(std::size_t leaves) { ++trees_[leaves]; }
-  // Changes begin at these nodes of a tree of n leaves: adds the nodes above, sorts them, children
-  // first, and begins an epoch of each. 0 and leaves that once were inner nodes are left out.
-  // O(k log n) for k nodes.
-  void begin(std::vector<Node>& nodes, std::size_t leaves);
-  // The bound, for claims of this degree. O(n) per size of a tree that was built.
+  // Changes begin at these nodes of a tree of n leaves: begins an epoch of each of them and of those above,
+  // once. 0 and leaves that once were inner nodes are left out. O(k log n) for k nodes.
+  void begin(std::span<const Node> nodes, std::size_t leaves);
+  // The bound, for claims of this degree. O(n), and O(n) per size of a tree that was built.
   Integer most_failures(int degree) const;
   // Likewise, if two items, one below each child of a node, have at most `failures` failures there in
   // an epoch.
   Integer most_failures_of_pairs(int failures) const;
-  std::size_t bytes() const { return (nodes_.size() + trees_.size()) * 64; }  // of maps, about
+  std::size_t bytes() const {
+    return nodes_.capacity() * sizeof(std::uint64_t) + trees_.size() * 64 +  // of a map, about
+           above_.capacity() * sizeof(Node);
+  }
 
  private:
   // most(m): of one epoch at a node of m leaves.
   template <class Most>
   Integer most_in_epochs(const Most& most) const;
 
-  // Epochs of nodes by their number of leaves: of single changes, and (trees_) of whole trees, by
-  // the number of leaves of these.
-  std::map<std::size_t, std::uint64_t> nodes_;
+  // Epochs of nodes by their number of leaves: of single changes, and (trees_) of whole trees, by the number
+  // of leaves of these.
+  std::vector<std::uint64_t> nodes_;
   std::map<std::size_t, std::uint64_t> trees_;
+  std::vector<Node> above_;  // scratch
 };
 
 }  // namespace kinex
