@@ -3,7 +3,7 @@
 //   to have: time in `exact` over that in doubles, events and changes per second, trees against the
 //   triangulation that they read?
 // Workload: the linear rows of `speed` of three families. Rounds of both arithmetics are interleaved; the best
-//   of each counts (one round of runs longer than 1.5 seconds); times are thread CPU time of the whole run,
+//   of each counts (two rounds of runs longer than 1.5 seconds, else three or more); times are thread CPU time of the whole run,
 //   structures that are read included.
 // Ratio: 0 where doubles handle other events than `exact`, or do not end, and for more than 5000 points, which are
 //   run in `exact` alone.
@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 3> kFamilies{"proximity", "triangulation"
 constexpr std::array<std::string_view, 5> kHigherDegree{"delaunay_2", "delaunay_3", "regular_2",
                                                         "regular_3", "closest_pair_discs"};
 constexpr double kMostRatio = 1.3, kMostRatioInSpace = 1.5;
-constexpr double kLeastSeconds = 0.3, kLongSeconds = 1.5;
+constexpr double kLeastSeconds = 1, kLongSeconds = 1.5;
 // Of more points doubles may take hours: a structure that has lost its way makes all anew at every instant.
 constexpr int kMostInDoubles = 5000;
 
@@ -74,7 +74,7 @@ Measured measure(const lab::BenchRow& row, const lab::BenchOptions& options) {
   const lab::BenchRun first = lab::run_once(scene, {.arithmetic = "exact", .events = row.events});
   // Doubles that cycle are stopped.
   const std::uint64_t most = row.events != 0 ? row.events : 4 * first.events + 1000;
-  const int rounds = first.seconds > kLongSeconds ? 1 : row.rounds;
+  const int rounds = first.seconds > kLongSeconds ? 2 : row.rounds;
   std::vector<lab::BenchWay> ways{{.arithmetic = "exact", .events = most}};
   if (row.parameters.n <= kMostInDoubles) ways.push_back({.arithmetic = "double", .events = most});
   const std::vector<lab::BenchRun> best = lab::best_runs(
