@@ -2,9 +2,9 @@
 // Question: do the structures for near points, triangulations and arrangements reach the speed that they are
 //   to have: time in `exact` over that in doubles, events and changes per second, trees against the
 //   triangulation that they read?
-// Workload: the linear rows of `speed` of three families. Rounds of both arithmetics are interleaved; the best
-//   of each counts (two rounds of runs longer than 1.5 seconds, else three or more); times are thread CPU time of the whole run,
-//   structures that are read included.
+// Workload: the linear rows of `speed` of three families. Rounds of both arithmetics are interleaved, and the best
+//   of each counts: three or more, up to a second. Times are thread CPU time of the whole run, structures that
+//   are read included.
 // Ratio: 0 where doubles handle other events than `exact`, or do not end, and for more than 5000 points, which are
 //   run in `exact` alone.
 // Output: see result_table.h; options: see bench_options.h. A run in part (--rows) has no aims.
@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 3> kFamilies{"proximity", "triangulation"
 constexpr std::array<std::string_view, 5> kHigherDegree{"delaunay_2", "delaunay_3", "regular_2",
                                                         "regular_3", "closest_pair_discs"};
 constexpr double kMostRatio = 1.3, kMostRatioInSpace = 1.5;
-constexpr double kLeastSeconds = 1, kLongSeconds = 1.5;
+constexpr double kLeastSeconds = 1;
 // Of more points doubles may take hours: a structure that has lost its way makes all anew at every instant.
 constexpr int kMostInDoubles = 5000;
 
@@ -74,11 +74,10 @@ Measured measure(const lab::BenchRow& row, const lab::BenchOptions& options) {
   const lab::BenchRun first = lab::run_once(scene, {.arithmetic = "exact", .events = row.events});
   // Doubles that cycle are stopped.
   const std::uint64_t most = row.events != 0 ? row.events : 4 * first.events + 1000;
-  const int rounds = first.seconds > kLongSeconds ? 2 : row.rounds;
   std::vector<lab::BenchWay> ways{{.arithmetic = "exact", .events = most}};
   if (row.parameters.n <= kMostInDoubles) ways.push_back({.arithmetic = "double", .events = most});
   const std::vector<lab::BenchRun> best = lab::best_runs(
-      scene, ways, {.count = rounds, .least_seconds = options.smoke ? 0 : kLeastSeconds});
+      scene, ways, {.count = row.rounds, .least_seconds = options.smoke ? 0 : kLeastSeconds});
   const bool same = best.size() == 2 && lab::same_events(best[0], best[1]);
   return {row.structure, row.workload, row.parameters.n, best[0],
           same ? best[0].seconds / best[1].seconds : 0};
