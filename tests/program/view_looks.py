@@ -192,19 +192,39 @@ HULLS = "id,x,y\n" + "".join(f"{ship},{x},{y}\n" for ship, tail, side, bow, tip 
 def check_pictures(viewer, chromium, name, records):
     """SVG and PNG of the drawings: texts apart from one another, the names of the axes among them."""
     viewer.open(name)
-    for k in records:
-        svg = viewer.ask(f"(app.setEvent({k}), app.draw(), pictureAsSvg(760, 520))")
+    # What fonts a machine has is not known: pictures have to suit narrow and wide ones, and numbers beside the names of axes.
+    cases = [(family, width, k) for family, widths in (("system-ui, sans-serif", (760,)), ("monospace", range(560, 780, 20)))
+             for width in widths for k in records]
+    drawings = []
+    for family, width, k in cases:
+        viewer.ask(f"FACE.family = {json.dumps(family)}")
+        svg = viewer.ask(f"(app.setEvent({k}), app.draw(), pictureAsSvg({width}, 520))")
         title = xml.etree.ElementTree.fromstring(svg).findtext("{*}title")
         if not title or (f"log record {k} " if k else "t = 0") not in title:
             fail(f"{name}: the picture of record {k} is called {title!r}")
-        picture, = look(chromium, [f"<div>{svg}</div>"])
+        drawings.append(f"<div>{svg}</div>")
+    for case, picture in zip(cases, look(chromium, drawings)):
         faults = list(faults_of(picture))
         texts = [text for text, _ in picture["texts"]]
         if faults or "x \u2192" not in texts or "y \u2191" not in texts:
-            fail(f"{name}, record {k}: {faults}, {texts}")
+            fail(f"{name}, {case}: {faults}, {texts}")
     png = base64.b64decode(viewer.ask("kinexFrame({ u: 0.5, width: 300, height: 200 })").split(",")[1])
     if struct.unpack(">II", png[16:24]) != (300, 200):
         fail("a frame has another size")
+
+
+def check_scales(viewer, chromium):
+    """Long numbers leave the names of the axes alone, wherever the origin is."""
+    svgs = viewer.ask("""[...Array(40).keys()].map(i => {
+      const context = new SvgContext(300, 200);
+      new Sheet(context, 300, 200).begin();
+      drawScales(context, [0, 0, 300, 200], [60 + 3 * i, 90 + i], DATA.scale / 500, new Places([0, 0, 300, 200]));
+      return context.result("scales");
+    })""")
+    for origin, picture in enumerate(look(chromium, [f"<div>{svg}</div>" for svg in svgs])):
+        texts = [text for text, _ in picture["texts"]]
+        if list(faults_of(picture)) or len(texts) < 4:
+            fail(f"scales, origin {origin}: {list(faults_of(picture))}, {texts}")
 
 
 def check_animation(source, folder):
@@ -481,6 +501,7 @@ def main():
         viewer.kinex("import", "ships.csv", "--polygons", "hulls.csv", "--bearing", "course", "-o", "ships.json")
         viewer.kinex("view", "ships.json", "-o", "ships.html")
         check_pictures(viewer, chromium, "ships.html", range(11))
+        check_scales(viewer, chromium)
         check_animation(source, folder)
         records, size = check_long(viewer)
     print(f"{len(events)} log records filtered; {records} packed into {size // 1024} kB")

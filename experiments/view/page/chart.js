@@ -29,14 +29,18 @@ class Chart {
     context.fillStyle = COLOUR.panel;
     context.fillRect(left, top, width, height);
     this.frame.rectangle = rectangle;
-    this.places = new Places([left, top + 22, left + width, top + height]);  // below the captions
+    const seen = nameOf(b) + " as seen from " + nameOf(a), longest = "close up, 1024 times as wide";
+    const beside = [seen, longest].reduce((sum, text) => sum + context.measureText(text).width, 0) + 32 <= width;
+    const captions = beside ? 22 : 38;  // the height of one or two lines
+    this.places = new Places([left, top + captions, left + width, top + height]);
     this.stretch = 1;
     if (poses[0] !== null && poses[1] !== null) this.drawPair(context, rectangle, a, b, poses);
     context.restore();
-    label(context, nameOf(b) + " as seen from " + nameOf(a), left + 8, top + 13, COLOUR.quiet);
+    label(context, seen, left + 8, top + 13, COLOUR.quiet);
     const view = this.whole ? "the whole sum"
                : this.stretch > 1 ? "close up, " + this.stretch + " times as wide" : "close up";
-    label(context, view, left + width - 8, top + 13, COLOUR.quiet, "right");
+    if (beside) label(context, view, left + width - 8, top + 13, COLOUR.quiet, "right");
+    else label(context, view, left + 8, top + 29, COLOUR.quiet);
   }
 
   // Of all structures: the half-planes of the proof of this pair, in the frame of the first body.

@@ -93,7 +93,7 @@ class SvgContext {
   }
   // The title is what a screen reader reads.
   result(title) {
-    return `<svg xmlns="${SVG_NAME}" role="img" width="${this.width}" height="${this.height}" viewBox="0 0 ${this.width} ${this.height}" font-family="system-ui, Helvetica, Arial, sans-serif">` +
+    return `<svg xmlns="${SVG_NAME}" role="img" width="${this.width}" height="${this.height}" viewBox="0 0 ${this.width} ${this.height}" font-family="${FACE.family}">` +
       `<title>${SvgContext.escape(title)}</title><rect width="100%" height="100%" fill="${COLOUR.back}"/>${this.parts.join("\n")}</svg>\n`;
   }
 }
@@ -106,7 +106,7 @@ class Sheet {
     this.height = height;
   }
   begin() {
-    this.context.font = "12px system-ui, sans-serif";
+    this.context.font = fontOf(12);
     this.context.lineJoin = "round";
     return this.context;
   }
@@ -134,7 +134,7 @@ function pictureAsCanvas(width, height, caption, ratio = 1) {
   app.seek();
   app.drawing.draw(new Sheet(context, width, height - line));
   if (caption !== "") {
-    context.font = "13px system-ui, sans-serif";
+    context.font = fontOf(13);
     context.textAlign = "left";
     context.textBaseline = "middle";
     context.fillStyle = COLOUR.text;

@@ -17,11 +17,15 @@ class Picture {
     }
     this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.context.clearRect(0, 0, box.width, box.height);
-    this.context.font = "12px system-ui, sans-serif";
+    this.context.font = fontOf(12);
     this.context.lineJoin = "round";
     return this.context;
   }
 }
+
+// The fonts of all drawings; texts are measured in the font in which they are written, on a canvas and in SVG.
+const FACE = { family: "system-ui, sans-serif" };
+const fontOf = pixels => pixels + "px " + FACE.family;
 
 const COLOUR = {};
 function readColours() {
@@ -135,11 +139,25 @@ function spread(low, high, margin) {
 function drawScales(context, [left, top, width, height], origin, pixels, places) {
   const unit = DATA.scale, bottom = top + height;
   if (unit === null || !(unit > 0) || !(pixels > 0) || !isFinite(pixels)) return;
-  const tick = (text, x, y, align) => {
+  const boxOf = (text, x, y, align) => {
     const wide = context.measureText(text).width;
     const from = align === "left" ? x : align === "right" ? x - wide : x - wide / 2;
+    return [from - 2, y - 7, from + wide + 2, y + 7];
+  };
+  const write = (text, x, y, align) => {
     label(context, text, x, y, COLOUR.quiet, align);
-    places.take([from - 2, y - 7, from + wide + 2, y + 7]);
+    places.take(boxOf(text, x, y, align));
+  };
+  // The names of the axes come first: fonts differ in their arrows, and a number that would touch a name is left out.
+  const names = [["x \u2192", left + width - 6, bottom - 12, "right"], ["y \u2191", left + 8, top + 10, "left"]];
+  names.forEach(name => write(...name));
+  const tick = (...number) => {
+    const [a, b, c, d] = boxOf(...number);
+    const touches = names.some(name => {
+      const [l, t, r, under] = boxOf(...name);
+      return a < r + 4 && l < c + 4 && b < under && t < d;
+    });
+    if (!touches) write(...number);
   };
   const x = value => origin[0] + value / unit * pixels, y = value => origin[1] - value / unit * pixels;
   const across = px => (px - origin[0]) / pixels * unit, up = py => (origin[1] - py) / pixels * unit;
@@ -153,6 +171,4 @@ function drawScales(context, [left, top, width, height], origin, pixels, places)
     context.fillRect(left, y(value) - 0.5, 5, 1);
     tick(shortNumber(value), left + 8, y(value), "left");
   }
-  tick("x \u2192", left + width - 6, bottom - 12, "right");
-  tick("y \u2191", left + 8, top + 10, "left");
 }

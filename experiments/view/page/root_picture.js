@@ -68,7 +68,7 @@ class RootPicture {
     const most = Math.max(1, ...values.map(Math.abs));
     const x = f => left + (right - left) * (f + 1) / 2;
     const y = value => zero - value / most * (bottom - top) / 2 * 0.94;
-    context.font = "11px system-ui, sans-serif";
+    context.font = fontOf(11);
     // The interval that holds the root alone.
     const [a, b] = ends.map(end => Math.max(-1, Math.min(1, end)));
     context.fillStyle = COLOUR.fill;

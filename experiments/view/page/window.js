@@ -71,7 +71,7 @@ class TimeWindow {
   drawGaps(context, axis, base) {
     this.gaps = [];  // those that are drawn
     if (!axis.records || axis.x(1) - axis.x(0) < 16) return;
-    context.font = "10px system-ui, sans-serif";
+    context.font = fontOf(10);
     context.textAlign = "center";
     context.textBaseline = "middle";
     context.fillStyle = COLOUR.quiet;
@@ -82,7 +82,7 @@ class TimeWindow {
       context.fillText(text, axis.x(k + 0.5), base - 7);
       this.gaps.push([k, text]);
     }
-    context.font = "12px system-ui, sans-serif";
+    context.font = fontOf(12);
   }
 
   // At most one bar of a kind in each pixel.
