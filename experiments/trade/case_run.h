@@ -41,7 +41,7 @@ struct TradeRun {
   std::string trouble;       // the reason of corruption, or the exception
   bool guard_fired = false;  // corrupt because a guard detected endless repairs or rebuilds
   std::uint64_t events = 0;
-  std::optional<double> seconds;  // CPU time of the whole run without audits, best of the rounds
+  std::optional<double> seconds;  // CPU time of the whole run without audits and reports, best of the rounds
   std::uint64_t peak_bytes = 0;   // motions, certificates, queue and structure, from the ledger
   Deviation deviation;
   bool differs = false;  // of an exact arithmetic: its events are not those of `exact`
