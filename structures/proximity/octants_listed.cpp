@@ -98,6 +98,7 @@ void OctantsListed::instant_settled() {
     for (std::size_t axis = 0; axis < kOctantAxes; ++axis) points[axis] = lists_[axis].items();
     woods().make(i, points);
     waits_[i] = false;
+    ++remade_;
   }
 }
 
@@ -130,7 +131,12 @@ std::vector<BoundCheck> OctantsListed::bounds(const BoundContext& context) const
               "each two points change their order in each list at every root, and where pieces "
               "meet",
               Integer(4) * pair_sign_changes(context.pieces, context.degree),
-              counted(ledger.failures))};
+              counted(ledger.failures)),
+      at_most("octants_listed.remade",
+              "woods that are made from the lists: two at the end of an instant with a failure or "
+              "a new motion",
+              Integer(2) * (counted(ledger.failures) + counted(ledger.motion_updates)),
+              counted(remade_))};
   add_bounds(context, result);
   return result;
 }

@@ -72,6 +72,7 @@ class OctantsListed final : public ConeNeighbours {
   std::vector<List> lists_;                                     // by OctantAxis
   std::array<std::vector<std::uint32_t>, kOctantAxes> places_;  // of objects in the lists
   std::array<bool, 2> waits_{};                                 // woods to be made from the lists
+  std::uint64_t remade_ = 0;  // woods that were, at the end of an instant
 };
 
 }  // namespace kinex

@@ -222,6 +222,24 @@ TEST(Octants, PointsThatMeet) {
   EXPECT_EQ(run.begins_with.size(), run.attribute().size());
 }
 
+Integer remade(const Scene& scene) {
+  const TwinRun run(scene, octants());
+  for (const BoundCheck& bound : run.simulator.bounds(0)) {
+    if (bound.id == "octants_listed.remade") return bound.observed;
+  }
+  return Integer(-1);
+}
+
+// Points that pass each other make no wood anew. Two that meet change their order in all four lists; one wood can follow
+// the four swaps one by one, the other cannot.
+TEST(Octants, WoodsMadeAnewAreCounted) {
+  EXPECT_EQ(remade(random_flights(7, 12, 2, 1, false)), Integer(0));
+  const Trajectory still = path({{1}, {5}});
+  EXPECT_EQ(
+      remade(scene_of({path({{-2, 1}, {-4, 2}}), path({{2, -1}, {4, -2}}), still}, 0, Rational(5))),
+      Integer(1));
+}
+
 TEST(Octants, NoPointToThree) {
   for (int n = 0; n <= 3; ++n) {
     SCOPED_TRACE(n);
