@@ -31,8 +31,7 @@ void PlanWords::add_options(CLI::App& verb) {
                       example_structure(2));
   verb.add_flag("--quick", quick, "Of an experiment: smaller sizes");
   verb.add_option("--seeds", seeds, "Of verify: so many scenes")->expected(1);
-  verb.add_option("--arithmetic", arithmetics, "Of trade: these, beside exact and double")
-      ->delimiter(',')
+  add_list_option(verb, "--arithmetic", arithmetics, "Of trade: these, beside exact and double")
       ->allow_extra_args(false);
 }
 

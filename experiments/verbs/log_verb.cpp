@@ -65,9 +65,8 @@ void add_log_verb(CLI::App& app, int&) {
           "Only records with KEY=VALUE,..; KEY is kind, structure, object, predicate or external; "
           "values of one key are alternatives; can be given several times")
       ->allow_extra_args(false);
-  verb->add_option("--columns", options->columns,
-                   "Only these columns, in this order, as time,kind,ids")
-      ->delimiter(',')
+  add_list_option(*verb, "--columns", options->columns,
+                  "Only these columns, in this order, as time,kind,ids")
       ->allow_extra_args(false);
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");

@@ -31,6 +31,25 @@ Rational rational_option(const char* option, const std::string& text) {
   return *std::move(value);
 }
 
+CLI::Option* add_list_option(CLI::App& verb, const std::string& name,
+                             std::vector<std::string>& words, const std::string& help) {
+  const auto take = [&words, name](const std::vector<std::string>& given) {
+    words.clear();
+    for (const std::string& list : given) {
+      for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        if (end == begin) {
+          throw CLI::ValidationError(
+              name, show_text(list) + " has an empty word; write one, or leave its comma out");
+        }
+        words.push_back(list.substr(begin, end - begin));
+        begin = end + 1;
+      }
+    }
+  };
+  return verb.add_option_function<std::vector<std::string>>(name, take, help);
+}
+
 std::uint64_t seed_option(const char* option, const std::string& text) {
   std::uint64_t value = 0;
   const char* const end = text.data() + text.size();

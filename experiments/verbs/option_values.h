@@ -11,12 +11,18 @@
 
 namespace CLI {
 class App;
+class Option;
 }
 
 namespace kinex::verbs {
 
 // An exact number as in a scene. Throws InputError that names the option.
 Rational rational_option(const char* option, const std::string& text);
+
+// An option that is a list: several words, or words with commas between them. An empty word between commas is refused.
+// `words` outlives the verb.
+CLI::Option* add_list_option(CLI::App& verb, const std::string& name,
+                             std::vector<std::string>& words, const std::string& help);
 
 // An integer from 0 to 2^64 - 1, in decimal. Throws InputError that names the option.
 std::uint64_t seed_option(const char* option, const std::string& text);

@@ -359,8 +359,8 @@ void add_run_verb(CLI::App& app, int& exit_code) {
   verb->add_flag("--provenance", options->provenance,
                  "Name the build, the processor and this command in the log's header, too");
   verb->add_option("--summary", options->summary, "Write the summary to this file, - prints it");
-  verb->add_option("--at", options->at, "Sample the attributes right after these times: T, ..")
-      ->delimiter(',');
+  add_list_option(*verb, "--at", options->at,
+                  "Sample the attributes right after these times: T, ..");
   verb->add_option("--query", options->query,
                    "The points in this closed box, X1,X2,Y1,Y2, right after the times of --at")
       ->allow_extra_args(false);

@@ -169,9 +169,8 @@ void add_trade_verb(CLI::App& app, int& exit_code) {
                           "Simultaneous scenes (1; more make time ratios noisy)",
                           "Print a JSON object per scene instead"});
   verb->add_option("--markdown", options->markdown, "Write the tables to this file as Markdown");
-  verb->add_option("--arithmetic", options->arithmetics,
-                   "Only these, beside exact and double: A, .. (sturm, gsl, mpfr:P too)")
-      ->delimiter(',')
+  add_list_option(*verb, "--arithmetic", options->arithmetics,
+                  "Only these, beside exact and double: A, .. (sturm, gsl, mpfr:P too)")
       ->allow_extra_args(false);
   verb->add_option("--max-seconds", options->max_seconds, "Give up a run after this time (120)");
   verb->add_flag(
