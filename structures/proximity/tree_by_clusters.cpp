@@ -31,6 +31,7 @@ void TreeByClusters::build(std::vector<Item> items) {
   outside_.clear();
   for (auto& some : outside_at_) some.clear();
   waiting_.clear();
+  largest_size_ = 0;
   clear();
   const EdgeOrder order(*edges_);
   merge_sort(items, [&](Item a, Item b) { return in_front(*kernel_, order, a, b); });
@@ -72,25 +73,25 @@ void TreeByClusters::finish(Change change) {
 
 // The clusters of its ends.
 TreeByClusters::Pair TreeByClusters::pair_of(Item item) const {
-  const auto [u, v] = edges_->ends(item);
-  return {std::min(clusters_.of(u), clusters_.of(v)), std::max(clusters_.of(u), clusters_.of(v))};
+  const auto [a, b] = outside_[item].ends;
+  return {std::min(clusters_.of(a), clusters_.of(b)), std::max(clusters_.of(a), clusters_.of(b))};
 }
 
 // An edge becomes one of the tree, or ceases to be one.
 void TreeByClusters::join(Item item) {
   const auto [u, v] = edges_->ends(item);
-  touch(u);
-  touch(v);
+  const Copy a = clusters_.hook(u);
+  touch(a);
+  const Copy b = clusters_.hook(v);
+  touch(b);
   put_in(item);
-  clusters_.link(item, u, v);
+  clusters_.link(item, a, b);
 }
 
 void TreeByClusters::part(Item item) {
-  const auto [u, v] = edges_->ends(item);
-  touch(u);
-  touch(v);
+  for (const Copy end : clusters_.ends(item)) touch(end);
   take_out(item);
-  clusters_.cut(item, u, v);
+  clusters_.cut(item);
 }
 
 // An edge is one outside the tree, and waits for its bounds.
@@ -103,13 +104,15 @@ void TreeByClusters::keep_out(Item item) {
 // It is one no more.
 void TreeByClusters::detach(Item item) {
   const auto [u, v] = edges_->ends(item);
-  if (outside_[item].place == Place::kDone && clusters_.of(u) != clusters_.of(v)) {
+  if (outside_[item].place == Place::kDone) {
     const auto found = pairs_.find(pair_of(item));
-    Between& between = found->second;
-    if (between.bound != EdgeExtrema::kNone) extrema_.drop(between.bound);
-    between.bound = EdgeExtrema::kNone;
-    between.group.take_out(extrema_, item);
-    if (between.group.size() == 0) pairs_.erase(found);
+    if (found != pairs_.end()) {
+      Between& between = found->second;
+      if (between.bound != EdgeExtrema::kNone) extrema_.drop(between.bound);
+      between.bound = EdgeExtrema::kNone;
+      between.group.take_out(extrema_, item);
+      if (between.group.size() == 0) pairs_.erase(found);
+    }
   }
   unbind(item);
   outside_[item].place = Place::kNone;
@@ -138,10 +141,13 @@ Item TreeByClusters::replacement_of(Item item) const {
   std::vector<Vertex> part{edges_->ends(item)[0]};
   seen[part[0]] = true;
   for (std::size_t i = 0; i < part.size(); ++i) {
-    for (const TreeClusters::Arc& arc : clusters_.arcs(part[i])) {
-      if (seen[arc.other]) continue;
-      seen[arc.other] = true;
-      part.push_back(arc.other);
+    for (const Copy copy : clusters_.copies(part[i])) {
+      for (const Item edge : clusters_.edges(copy)) {
+        const Vertex next = clusters_.vertex(clusters_.other(edge, copy));
+        if (seen[next]) continue;
+        seen[next] = true;
+        part.push_back(next);
+      }
     }
   }
   Item best = kNoItem;
@@ -232,12 +238,15 @@ Integer TreeByClusters::most_failures_per_exchange() const {
 // The bounds of an edge, and that of its two clusters, are about the edges of its path.
 void TreeByClusters::check_outside(Item item, LinkCutForest& forest, AuditReport& report) const {
   const auto [u, v] = edges_->ends(item);
+  const auto [a, b] = outside_[item].ends;
+  report.check(clusters_.vertex(a) == u && clusters_.vertex(b) == v,
+               [] { return "an edge between other vertices"; });
   std::vector<Item> path = forest.path(u, v), proved;
   const auto collect = [&](Node bound) {
     for (const Item edge : extrema_.edges_of(Value::of_node(bound))) proved.push_back(edge);
   };
   for (const Node bound : outside_[item].bounds) collect(bound);
-  if (const Pair pair = pair_of(item); pair[0] != pair[1]) {
+  if (const Pair pair = pair_of(item); pair[0] != pair[1] && !shares_vertex(pair)) {
     const auto between = pairs_.find(pair);
     const auto edges = between == pairs_.end() ? std::vector<Item>() : between->second.group.edges();
     report.check(std::count(edges.begin(), edges.end(), item) == 1,
@@ -259,6 +268,9 @@ void TreeByClusters::check(AuditReport& report) const {
   const std::string defect = clusters_.defect();
   report.check(defect.empty(), [&] { return defect; });
   report.check(clusters_.count() <= most_clusters(), [] { return "too many clusters"; });
+  report.check(clusters_.largest() < 2 * std::max<std::size_t>(1, largest_size_),
+               [] { return "a cluster of too many vertices"; });
+  report.check(largest_size_ <= 2 * size_now(), [] { return "clusters for more vertices"; });
   if (!defect.empty()) return;
   LinkCutForest forest = forest_;
   for (const Item item : present()) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // TreeByClusters: the minimum spanning forest of a changing graph, by tournaments of groups of edges.
 //
-// The forest is cut into connected clusters (tree_clusters.h). A portal is a vertex with an edge to
-// another cluster. An edge f between u and v, outside the tree, is at least as long as those of the
+// The forest is cut into connected clusters (tree_clusters.h), between which a vertex of many edges
+// may be split into copies. A portal is a copy that is not the only one of its vertex, or that has an
+// edge to another cluster. An edge f between u and v, outside the tree, is at least as long as those of the
 // path between its ends, of which there are three pieces:
 //
 //      cluster A            clusters between          cluster B
@@ -16,22 +17,27 @@
 //            before u, or the last edge;
 //   M_c(u)   the same for the centroid c of a cluster, of the parts that it leaves, and so on;
 //   W(A, B)  the longest edge between two clusters: that between A and the cluster before B, the
-//            longest within that one, and the edge into B;
+//            longest within that one, and the edge into B, if no vertex is in both; there is none
+//            between clusters that share a vertex;
 //   S(A, B)  the shortest of the edges outside the tree between two clusters, by a tournament.
-// Bounds: W(A, B) <= S(A, B) for each two clusters with such edges; M_a(u) <= f and M_b(v) <= f; for
-// an f within a cluster M_c(u) <= f and M_c(v) <= f, c being the first centroid that separates u
-// from v.
+// Bounds: W(A, B) <= S(A, B) for each two clusters with such edges and a W; M_a(u) <= f and
+// M_b(v) <= f; for an f within a cluster M_c(u) <= f and M_c(v) <= f, c being the first centroid that
+// separates u from v. An end of f that is split may be any of its copies: it is the one in a cluster of
+// the other end, if there is one, else that whose number among c copies is f modulo c.
 //
 // A failure of a node is internal: another extremum, which is handed on to the nodes that use it.
 // One of a bound is a change of the tree: f takes the place of the edge. Then the clusters of their
 // ends are dissolved and cut anew, and W with them.
 //
 // Quality, for n vertices, m edges, k clusters of about z vertices (z = n^(2/3), if not given):
-//   certificates  at most 3m + n (floor(log2 n) + 1) + n k + 2 k^2
-//   a change      O(z log n + k^2) certificates where vertices have few edges, and those of edges
-//                 between clusters whose path comes by other portals
+//   certificates  at most 3m + n (floor(log2 n) + 1) + n k + 2 k^2: the edges within clusters are one
+//                 fewer in each than its members, copies among them, and at most n in all
+//   a cluster     at most 4z - 1 members; 2z - 1 if z is given
+//   a change      O(z (p + log n) + k^2) certificates for clusters of at most p portals, those of the
+//                 edges outside the tree at the vertices of four clusters, and of those between
+//                 clusters whose path comes by other portals
 // The forest is cut anew as a whole where there are more than 3 (n / z + 1) clusters, and one for
-// each tree.
+// each tree; and where z is less than half of what it was in some cut since.
 //
 // Source: after Agarwal, Eppstein, Guibas, Henzinger, "Parametric and kinetic minimum spanning trees"
 // (1998): O(n^(2/3) log^(4/3) n) for a change of the tree. The layout is ours, after Frederickson's.
@@ -83,33 +89,35 @@ class TreeByClusters final : public TreeEngine {
   using Value = EdgeExtrema::Value;
   using Node = EdgeExtrema::Node;
   using Vertex = TreeClusters::Vertex;
+  using Copy = TreeClusters::Copy;
   using Cluster = TreeClusters::Cluster;
   using Pair = std::array<Cluster, 2>;  // ascending
 
   struct ToCentroid {  // of a vertex, for a centroid of a part that it is in
-    Vertex centroid;
+    Copy centroid;
     Value longest;
   };
   struct Interior {  // of a cluster
-    std::vector<Vertex> portals;
+    std::vector<Copy> portals;
     std::vector<std::vector<Value>> from_portal;     // by portal, then by place: the longest edge
     std::vector<std::vector<ToCentroid>> centroids;  // by place, the largest part first
     std::vector<Node> nodes;                         // in the order in which they were made
   };
   struct Way {  // from one cluster to another
-    Vertex out = 0, into = 0;  // the portals of the first and of the last one
-    Cluster before = TreeClusters::kNone;  // the last but one
-    Vertex across = 0;                     // its portal at the last edge
-    Item edge = kNoItem;                   // the last one
+    Copy out = 0, into = 0;  // the portals of the first and of the last one
+    Cluster before = TreeClusters::kNone;  // the last but one; none: no way, or the same cluster
+    Copy across = 0;                       // its portal, to the last one
+    Item edge = kNoItem;                   // between the last two; none: a virtual one
   };
   struct Between {  // two clusters
     EdgeGroup group;
     Node bound = EdgeExtrema::kNone;  // none: to be made
-    Vertex out = 0, into = 0;         // the portals by which the paths of its edges come
+    Copy out = 0, into = 0;           // the portals by which the paths of its edges come
   };
   enum class Place : std::uint8_t { kNone, kWaits, kDone };
   struct Outside {  // an edge that is not in the tree
     Place place = Place::kNone;
+    std::array<Copy, 2> ends{};  // unless it waits
     std::vector<Node> bounds;  // of this edge alone
   };
 
@@ -117,7 +125,7 @@ class TreeByClusters final : public TreeEngine {
   std::size_t most_clusters() const;
   // ---- dissolving
   void drop_between();
-  void touch(Vertex v);
+  void touch(Copy copy);
   void unbind(Item item);
   void keep_out(Item item);
   void detach(Item item);
@@ -131,10 +139,12 @@ class TreeByClusters final : public TreeEngine {
   void find_ways();
   Value longest_between(Cluster a, Cluster b);
   Value longer(const Value& one, const Value& other, std::vector<Node>& nodes);
-  const Value& from_portal(Cluster cluster, Vertex portal, Vertex v) const;
+  const Value& from_portal(Cluster cluster, Copy portal, Copy copy) const;
+  void hang(Item item);
   void bind(Item item);
   std::array<Value, 2> ends_of(Item item) const;
   Pair pair_of(Item item) const;
+  bool shares_vertex(const Pair& pair) const;
   // ---- the tree
   void swap(Item before, Item after);
   Item replacement_of(Item item) const;
@@ -154,6 +164,7 @@ class TreeByClusters final : public TreeEngine {
   std::vector<std::vector<Item>> outside_at_;    // by vertex
   std::vector<Item> waiting_;                    // edges that may wait for their bounds
   std::size_t widest_ = 0;                       // the most clusters so far
+  std::size_t largest_size_ = 0;                 // since the forest was cut as a whole
 };
 
 }  // namespace kinex

@@ -40,14 +40,16 @@ void TreeByClusters::drop_between() {
   for (auto& row : between_) std::fill(row.begin(), row.end(), Value{});
 }
 
-// The edges at a vertex are about to change: dissolves its cluster.
-void TreeByClusters::touch(Vertex v) {
+// The edges at a copy are about to change: dissolves its cluster.
+void TreeByClusters::touch(Copy copy) {
   drop_between();
-  const Cluster cluster = clusters_.of(v);
-  if (cluster == TreeClusters::kNone) return clusters_.loosen(v);
-  for (const Vertex u : clusters_.vertices(cluster)) {
-    for (const Item item : outside_at_[u]) {
+  const Cluster cluster = clusters_.of(copy);
+  if (cluster == TreeClusters::kNone) return clusters_.loosen(copy);
+  for (const Copy member : clusters_.members(cluster)) {
+    for (const Item item : outside_at_[clusters_.vertex(member)]) {
       if (outside_[item].place != Place::kDone) continue;
+      const auto [a, b] = outside_[item].ends;
+      if (a != member && b != member) continue;
       unbind(item);
       outside_[item].place = Place::kWaits;
       waiting_.push_back(item);
@@ -84,9 +86,10 @@ void TreeByClusters::mend() {
   for (const Item item : std::exchange(waiting_, {})) {
     if (outside_[item].place != Place::kWaits) continue;
     outside_[item].place = Place::kDone;
+    hang(item);
     bind(item);
     const Pair pair = pair_of(item);
-    if (pair[0] == pair[1]) continue;
+    if (pair[0] == pair[1] || shares_vertex(pair)) continue;
     Between& between = pairs_[pair];
     between.out = ways_[pair[0]][pair[1]].out;
     between.into = ways_[pair[1]][pair[0]].out;
@@ -101,15 +104,19 @@ void TreeByClusters::mend() {
   }
 }
 
-// Loose vertices are put in clusters, or all vertices where there were too many.
+// Loose vertices are put in clusters; or all vertices, where there were too many clusters, or some
+// that are too large for the vertices there are.
 void TreeByClusters::gather() {
-  std::vector<Cluster> fresh = clusters_.gather(size_now());
-  if (clusters_.count() > most_clusters()) {
+  const std::size_t size = size_now();
+  largest_size_ = std::max(largest_size_, size);
+  std::vector<Cluster> fresh = clusters_.gather(size);
+  if (clusters_.count() > most_clusters() || largest_size_ > 2 * size) {
     for (const Cluster cluster : fresh) clusters_.dissolve(cluster);
     for (Cluster cluster = 0; cluster < clusters_.most(); ++cluster) {
-      if (!clusters_.vertices(cluster).empty()) touch(clusters_.vertices(cluster).front());
+      if (!clusters_.members(cluster).empty()) touch(clusters_.members(cluster).front());
     }
-    fresh = clusters_.gather(size_now());
+    fresh = clusters_.gather(size);
+    largest_size_ = size;
   }
   widest_ = std::max(widest_, clusters_.count());
   interiors_.resize(clusters_.most());
@@ -128,27 +135,29 @@ TreeByClusters::Value TreeByClusters::longer(const Value& one, const Value& othe
 
 void TreeByClusters::make_interior(Cluster cluster) {
   Interior& interior = interiors_[cluster];
-  const std::vector<Vertex>& vertices = clusters_.vertices(cluster);
+  const std::vector<Copy>& members = clusters_.members(cluster);
   struct Visit {
-    Vertex vertex;
+    Copy copy;
     Item from;  // the edge to it
   };
-  for (const Vertex portal : vertices) {
-    const auto& arcs = clusters_.arcs(portal);
-    if (std::all_of(arcs.begin(), arcs.end(), [&](const TreeClusters::Arc& arc) {
-          return clusters_.of(arc.other) == cluster;
+  for (const Copy portal : members) {
+    const std::vector<Item>& edges = clusters_.edges(portal);
+    if (clusters_.copies(clusters_.vertex(portal)).size() == 1 &&
+        std::all_of(edges.begin(), edges.end(), [&](Item edge) {
+          return clusters_.of(clusters_.other(edge, portal)) == cluster;
         })) {
       continue;
     }
-    std::vector<Value> longest(vertices.size());
+    std::vector<Value> longest(members.size());
     std::vector<Visit> visits{{portal, kNoItem}};
     for (std::size_t i = 0; i < visits.size(); ++i) {
-      const auto [v, from] = visits[i];
-      for (const TreeClusters::Arc& arc : clusters_.arcs(v)) {
-        if (arc.edge == from || clusters_.of(arc.other) != cluster) continue;
-        longest[clusters_.place(arc.other)] = longer(longest[clusters_.place(v)],
-                                                     Value::of_edge(arc.edge), interior.nodes);
-        visits.push_back({arc.other, arc.edge});
+      const auto [copy, from] = visits[i];
+      for (const Item edge : clusters_.edges(copy)) {
+        const Copy next = clusters_.other(edge, copy);
+        if (edge == from || clusters_.of(next) != cluster) continue;
+        longest[clusters_.place(next)] =
+            longer(longest[clusters_.place(copy)], Value::of_edge(edge), interior.nodes);
+        visits.push_back({next, edge});
       }
     }
     interior.portals.push_back(portal);
@@ -160,26 +169,27 @@ void TreeByClusters::make_interior(Cluster cluster) {
 // A part of the cluster has a centroid: the parts that it leaves have at most half as many vertices.
 void TreeByClusters::make_centroids(Cluster cluster) {
   Interior& interior = interiors_[cluster];
-  const std::vector<Vertex>& vertices = clusters_.vertices(cluster);
-  interior.centroids.assign(vertices.size(), {});
-  std::vector<bool> done(vertices.size(), false);  // as a centroid
+  const std::vector<Copy>& members = clusters_.members(cluster);
+  interior.centroids.assign(members.size(), {});
+  std::vector<bool> done(members.size(), false);  // as a centroid
   struct Visit {
-    Vertex vertex;
+    Copy copy;
     std::size_t parent;  // in the list
-    std::size_t below;   // vertices below it in its part, and itself
+    std::size_t below;   // members below it in its part, and itself
     std::size_t most;    // of those below one child
     Value longest;
   };
   std::vector<Visit> visits;
-  // The part of a vertex, from it on.
-  const auto visit = [&](Vertex start) {
+  // The part of a member, from it on.
+  const auto visit = [&](Copy start) {
     visits.assign(1, {start, 0, 1, 0, {}});
     for (std::size_t i = 0; i < visits.size(); ++i) {
-      const Vertex v = visits[i].vertex, parent = visits[visits[i].parent].vertex;
-      for (const TreeClusters::Arc& arc : clusters_.arcs(v)) {
-        if (clusters_.of(arc.other) != cluster || done[clusters_.place(arc.other)]) continue;
-        if (i > 0 && arc.other == parent) continue;
-        visits.push_back({arc.other, i, 1, 0, Value::of_edge(arc.edge)});
+      const Copy copy = visits[i].copy, parent = visits[visits[i].parent].copy;
+      for (const Item edge : clusters_.edges(copy)) {
+        const Copy next = clusters_.other(edge, copy);
+        if (clusters_.of(next) != cluster || done[clusters_.place(next)]) continue;
+        if (i > 0 && next == parent) continue;
+        visits.push_back({next, i, 1, 0, Value::of_edge(edge)});
       }
     }
     for (std::size_t i = visits.size(); i-- > 1;) {
@@ -188,7 +198,7 @@ void TreeByClusters::make_centroids(Cluster cluster) {
       parent.most = std::max(parent.most, visits[i].below);
     }
   };
-  std::vector<Vertex> left{vertices.front()};
+  std::vector<Copy> left{members.front()};
   while (!left.empty()) {
     visit(left.back());
     left.pop_back();
@@ -196,51 +206,66 @@ void TreeByClusters::make_centroids(Cluster cluster) {
     const auto middle = std::find_if(visits.begin(), visits.end(), [all](const Visit& one) {
       return 2 * std::max(one.most, all - one.below) <= all;
     });
-    const Vertex centroid = middle->vertex;
+    const Copy centroid = middle->copy;
     visit(centroid);
     for (std::size_t i = 0; i < visits.size(); ++i) {
       Visit& one = visits[i];
       if (i > 0) one.longest = longer(visits[one.parent].longest, one.longest, interior.nodes);
-      interior.centroids[clusters_.place(one.vertex)].push_back({centroid, one.longest});
-      if (i > 0 && one.parent == 0) left.push_back(one.vertex);
+      interior.centroids[clusters_.place(one.copy)].push_back({centroid, one.longest});
+      if (i > 0 && one.parent == 0) left.push_back(one.copy);
     }
     done[clusters_.place(centroid)] = true;
   }
 }
 
-const TreeByClusters::Value& TreeByClusters::from_portal(Cluster cluster, Vertex portal,
-                                                         Vertex v) const {
+const TreeByClusters::Value& TreeByClusters::from_portal(Cluster cluster, Copy portal,
+                                                         Copy copy) const {
   const Interior& interior = interiors_[cluster];
   const auto found = std::find(interior.portals.begin(), interior.portals.end(), portal);
   return interior.from_portal[static_cast<std::size_t>(found - interior.portals.begin())]
-                             [clusters_.place(v)];
+                             [clusters_.place(copy)];
 }
 
 // ---- between clusters
 
+// From a portal one step leads along each of its edges, and to each other copy of its vertex.
 void TreeByClusters::find_ways() {
   const std::size_t most = clusters_.most();
   ways_.assign(most, std::vector<Way>(most));
   between_.assign(most, std::vector<Value>(most));
   for (Cluster start = 0; start < most; ++start) {
-    if (clusters_.vertices(start).empty()) continue;
+    if (clusters_.members(start).empty()) continue;
     std::vector<Cluster> reached{start};
+    const auto step = [&](Cluster here, Copy portal, Copy into, Item edge) {
+      const Cluster there = clusters_.of(into);
+      Way& way = ways_[start][there];
+      if (there == here || there == start || way.before != TreeClusters::kNone) return;
+      way = {here == start ? portal : ways_[start][here].out, into, here, portal, edge};
+      reached.push_back(there);
+    };
     for (std::size_t i = 0; i < reached.size(); ++i) {
       const Cluster here = reached[i];
-      for (const Vertex portal : interiors_[here].portals) {
-        for (const TreeClusters::Arc& arc : clusters_.arcs(portal)) {
-          const Cluster there = clusters_.of(arc.other);
-          if (there == here || there == start || there == ways_[start][here].before) continue;
-          const Vertex out = here == start ? portal : ways_[start][here].out;
-          ways_[start][there] = {out, arc.other, here, portal, arc.edge};
-          reached.push_back(there);
+      const Way way = ways_[start][here];
+      for (const Copy portal : interiors_[here].portals) {
+        for (const Item edge : clusters_.edges(portal)) {
+          step(here, portal, clusters_.other(edge, portal), edge);
+        }
+        // Where a copy was entered from another one, all of them are reached.
+        if (i > 0 && way.edge == kNoItem && way.into == portal) continue;
+        for (const Copy copy : clusters_.copies(clusters_.vertex(portal))) {
+          step(here, portal, copy, kNoItem);
         }
       }
     }
   }
 }
 
-// W(a, b).
+bool TreeByClusters::shares_vertex(const Pair& pair) const {
+  const Way& way = ways_[pair[0]][pair[1]];
+  return way.before == pair[0] && way.edge == kNoItem;
+}
+
+// W(a, b); none if they share a vertex.
 TreeByClusters::Value TreeByClusters::longest_between(Cluster a, Cluster b) {
   if (!between_[a][b].none()) return between_[a][b];
   const Way& way = ways_[a][b];
@@ -257,9 +282,23 @@ TreeByClusters::Value TreeByClusters::longest_between(Cluster a, Cluster b) {
 
 // ---- edges outside the tree
 
+// Chooses the copies of its ends.
+void TreeByClusters::hang(Item item) {
+  const auto [u, v] = edges_->ends(item);
+  const std::vector<Copy>&from = clusters_.copies(u), &to = clusters_.copies(v);
+  for (const Copy a : from) {
+    for (const Copy b : to) {
+      if (clusters_.of(a) != clusters_.of(b)) continue;
+      outside_[item].ends = {a, b};
+      return;
+    }
+  }
+  outside_[item].ends = {from[item % from.size()], to[item % to.size()]};
+}
+
 // The longest edges of the two pieces of its path that are its own; they may be none.
 std::array<TreeByClusters::Value, 2> TreeByClusters::ends_of(Item item) const {
-  const auto [u, v] = edges_->ends(item);
+  const auto [u, v] = outside_[item].ends;
   const Cluster a = clusters_.of(u), b = clusters_.of(v);
   if (a != b) return {from_portal(a, ways_[a][b].out, u), from_portal(b, ways_[b][a].out, v)};
   const auto& one = interiors_[a].centroids[clusters_.place(u)];
