@@ -104,7 +104,7 @@ class TreeByClusters final : public TreeEngine {
     std::vector<Node> nodes;                         // in the order in which they were made
   };
   struct Way {  // from one cluster to another
-    Copy out = 0, into = 0;  // the portals of the first and of the last one
+    Copy out = 0, into = 0;                // the portals of the first and of the last one
     Cluster before = TreeClusters::kNone;  // the last but one; none: no way, or the same cluster
     Copy across = 0;                       // its portal, to the last one
     Item edge = kNoItem;                   // between the last two; none: a virtual one

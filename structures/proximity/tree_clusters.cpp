@@ -116,8 +116,8 @@ void TreeClusters::merge() {
   std::sort(loose_.begin(), loose_.end());
   for (const Copy copy : loose_) {
     std::vector<Copy>& copies = copies_[vertex_of_[copy]];
-    const Copy first = *std::find_if(copies.begin(), copies.end(),
-                                     [this](Copy one) { return is_loose_[one]; });
+    const Copy first =
+        *std::find_if(copies.begin(), copies.end(), [this](Copy one) { return is_loose_[one]; });
     if (first != copy) {
       for (const Item edge : edges_[copy]) hang(edge, copy, first);
       edges_[copy].clear();
@@ -267,10 +267,11 @@ std::string TreeClusters::defect() const {
 }
 
 std::size_t TreeClusters::bytes() const {
-  std::size_t total = (vertex_of_.capacity() + unused_.capacity() + loose_.capacity()) * sizeof(Copy) +
-                      (cluster_of_.capacity() + free_.capacity()) * sizeof(Cluster) +
-                      (place_.capacity() + degrees_.capacity()) * sizeof(std::size_t) + is_loose_.capacity() / 8 +
-                      ends_.capacity() * sizeof(ends_[0]) + visits_.capacity() * sizeof(Visit);
+  std::size_t total =
+      (vertex_of_.capacity() + unused_.capacity() + loose_.capacity()) * sizeof(Copy) +
+      (cluster_of_.capacity() + free_.capacity()) * sizeof(Cluster) +
+      (place_.capacity() + degrees_.capacity()) * sizeof(std::size_t) + is_loose_.capacity() / 8 +
+      ends_.capacity() * sizeof(ends_[0]) + visits_.capacity() * sizeof(Visit);
   for (const auto& some : edges_) total += sizeof(some) + some.capacity() * sizeof(Item);
   for (const auto& some : copies_) total += sizeof(some) + some.capacity() * sizeof(Copy);
   for (const auto& some : members_) total += sizeof(some) + some.capacity() * sizeof(Copy);

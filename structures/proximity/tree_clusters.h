@@ -118,12 +118,12 @@ class TreeClusters {
   std::vector<std::size_t> place_;
   std::vector<bool> is_loose_;
 
-  std::vector<std::vector<Copy>> copies_;      // by vertex
-  std::vector<std::size_t> degrees_;           // by vertex
-  std::vector<std::array<Copy, 2>> ends_;      // by edge
-  std::vector<std::vector<Copy>> members_;     // by cluster
-  std::vector<Cluster> free_;                  // without members
-  std::vector<Copy> unused_;                   // copies that are none, beside the first ones
+  std::vector<std::vector<Copy>> copies_;   // by vertex
+  std::vector<std::size_t> degrees_;        // by vertex
+  std::vector<std::array<Copy, 2>> ends_;   // by edge
+  std::vector<std::vector<Copy>> members_;  // by cluster
+  std::vector<Cluster> free_;               // without members
+  std::vector<Copy> unused_;                // copies that are none, beside the first ones
   std::vector<Copy> loose_;
   std::vector<Visit> visits_;
   std::size_t linked_ = 0;

@@ -118,8 +118,8 @@ TEST(HubTrees, ManyVertices) {
   for (std::uint64_t seed = 1; seed <= test::fewer(3u); ++seed) {
     SCOPED_TRACE(seed);
     const int degree = 1 + static_cast<int>(seed % 3);
-    external += run_all(
-        as_hub_graph(random_flights(seed, 60, 1, degree, seed % 2 == 1), seed, 30, 4));
+    external +=
+        run_all(as_hub_graph(random_flights(seed, 60, 1, degree, seed % 2 == 1), seed, 30, 4));
     if (testing::Test::HasFailure()) return;
   }
   EXPECT_GT(external, test::seen_in_fewer(16u));
@@ -129,7 +129,9 @@ TEST(HubTrees, ManyVertices) {
 TEST(HubTrees, VerticesComeAndGo) {
   Scene scene = as_wheel(crossing_weights(1, 12));
   for (std::size_t i = 0; i < 12; ++i) {
-    const auto edge_of = [&](std::size_t at) -> auto& { return scene.objects[at].motion.pieces[0]; };
+    const auto edge_of = [&](std::size_t at) -> auto& {
+      return scene.objects[at].motion.pieces[0];
+    };
     // The vertex i: its spoke, and the edge of the rim that begins there.
     if (i % 3 == 0) {
       for (const std::size_t at : {i, 12 + i}) {

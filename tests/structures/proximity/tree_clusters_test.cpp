@@ -147,8 +147,9 @@ TEST(TreeClusters, HubsThatChange) {
           cut(clusters, v);
           parent[v] = n;
         } else {
-          parent[v] = static_cast<std::uint32_t>(
-              random.chance(80) ? random.between(0, hubs - 1) : random.between(0, static_cast<int>(v) - 1));
+          parent[v] = static_cast<std::uint32_t>(random.chance(80)
+                                                     ? random.between(0, hubs - 1)
+                                                     : random.between(0, static_cast<int>(v) - 1));
           link(clusters, v, parent[v], v);
         }
       }
