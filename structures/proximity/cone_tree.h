@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ConeTree: the minimum spanning tree of moving points of the plane in a norm whose unit circle is a
 // polygon, among the pairs of a point and the next one in a cone around it, which it watches. In the
-// maximum norm (mst_maximum_norm_list, mst_maximum_norm_cycles) these are octants_local or
-// octants_listed, in the norm of a polygon of 12 or 20 corners (mst_polygon_list,
-// mst_polygon_cycles) cones_local.
+// maximum norm (mst_maximum_norm_list, _cycles, _clusters) these are octants_local or
+// octants_listed, in the norm of a polygon of 12 or 20 corners (mst_polygon_list, _cycles, _clusters)
+// cones_local.
 //
-// The engine proves the tree: by the order of all those pairs (tree_by_list.h), or by the longest
-// edge of every cycle (tree_by_cycles.h). Certificates compare two lengths, each a linear function
+// The engine proves the tree: by the order of all those pairs (tree_by_list.h), by the longest edge
+// of every cycle (tree_by_cycles.h), or by those of paths in and between clusters of the points
+// (tree_by_clusters.h, which has its bounds). Certificates compare two lengths, each a linear function
 // of the step between two points: degree d for motions of degree d (norm_lengths.h).
 //
 // Pairs suffice. In a cone of p over a side of the unit circle the norm is a linear function u. Let q

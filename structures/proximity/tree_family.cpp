@@ -140,35 +140,55 @@ std::vector<StructureInfo> norm_trees() {
   std::vector<StructureInfo> result = trees(
       base,
       std::array{
-          TreeTexts{"mst_maximum_norm_list",
-                    "the minimum spanning tree in the maximum norm, by the order of all pairs of "
-                    "octants",
-                    "at most 4n - 1, one for each two neighbours in the list of the pairs of a point "
-                    "and the next one in an octant; those of the octants besides",
-                    TreeProof::kList, make_cone_tree<TreeProof::kList>},
-          TreeTexts{"mst_maximum_norm_cycles",
-                    "the minimum spanning tree in the maximum norm, every pair outside it against "
-                    "those of its cycle",
-                    "at most (3n + 1)(n - 1): every pair of an octant outside the tree is the longest "
-                    "of its cycle; those of the octants besides",
-                    TreeProof::kCycles, make_cone_tree<TreeProof::kCycles>}});
+          TreeTexts{
+              "mst_maximum_norm_list",
+              "the minimum spanning tree in the maximum norm, by the order of all pairs of "
+              "octants",
+              "at most 4n - 1, one for each two neighbours in the list of the pairs of a point "
+              "and the next one in an octant; those of the octants besides",
+              TreeProof::kList, make_cone_tree<TreeProof::kList>},
+          TreeTexts{
+              "mst_maximum_norm_cycles",
+              "the minimum spanning tree in the maximum norm, every pair outside it against "
+              "those of its cycle",
+              "at most (3n + 1)(n - 1): every pair of an octant outside the tree is the longest "
+              "of its cycle; those of the octants besides",
+              TreeProof::kCycles, make_cone_tree<TreeProof::kCycles>},
+          TreeTexts{
+              "mst_maximum_norm_clusters",
+              "the minimum spanning tree in the maximum norm, by tournaments of groups of pairs "
+              "of octants between clusters of the points",
+              "at most 24n + n (log2 n + 1) + nk + 2k^2 for k clusters: three a pair of an "
+              "octant, and the longest edges of paths in and between clusters; those of the "
+              "octants besides",
+              TreeProof::kClusters, make_cone_tree<TreeProof::kClusters>}});
   base.group = "mst_polygon";
   base.reads = {{"cones_local", "cones"}};
   const std::vector<StructureInfo> polygon = trees(
       base,
       std::array{
-          TreeTexts{"mst_polygon_list",
-                    "a minimum spanning tree in the norm of a polygon, nearly the Euclidean one, by "
-                    "the order of all pairs of its cones",
-                    "at most cn/2 - 1 for c corners, one for each two neighbours in the list of the "
-                    "pairs of a point and the next one in a cone; those of the cones besides",
-                    TreeProof::kList, make_cone_tree<TreeProof::kList>},
-          TreeTexts{"mst_polygon_cycles",
-                    "a minimum spanning tree in the norm of a polygon, nearly the Euclidean one, "
-                    "every pair outside it against those of its cycle",
-                    "at most ((c/2 - 1)n + 1)(n - 1) for c corners: every pair of a cone outside the "
-                    "tree is the longest of its cycle; those of the cones besides",
-                    TreeProof::kCycles, make_cone_tree<TreeProof::kCycles>}});
+          TreeTexts{
+              "mst_polygon_list",
+              "a minimum spanning tree in the norm of a polygon, nearly the Euclidean one, by "
+              "the order of all pairs of its cones",
+              "at most cn/2 - 1 for c corners, one for each two neighbours in the list of the "
+              "pairs of a point and the next one in a cone; those of the cones besides",
+              TreeProof::kList, make_cone_tree<TreeProof::kList>},
+          TreeTexts{
+              "mst_polygon_cycles",
+              "a minimum spanning tree in the norm of a polygon, nearly the Euclidean one, "
+              "every pair outside it against those of its cycle",
+              "at most ((c/2 - 1)n + 1)(n - 1) for c corners: every pair of a cone outside the "
+              "tree is the longest of its cycle; those of the cones besides",
+              TreeProof::kCycles, make_cone_tree<TreeProof::kCycles>},
+          TreeTexts{
+              "mst_polygon_clusters",
+              "a minimum spanning tree in the norm of a polygon, nearly the Euclidean one, by "
+              "tournaments of groups of pairs of its cones between clusters of the points",
+              "at most 3cn + n (log2 n + 1) + nk + 2k^2 for c corners and k clusters: three a "
+              "pair of a cone, and the longest edges of paths in and between clusters; those of "
+              "the cones besides",
+              TreeProof::kClusters, make_cone_tree<TreeProof::kClusters>}});
   result.insert(result.end(), polygon.begin(), polygon.end());
   return result;
 }

@@ -32,7 +32,8 @@ std::vector<lab::BenchRow> proximity_bench_rows(int scale) {
   rows.back().parameters.dimension = 3;
   rows.push_back(random_row("closest_pair_local", 1, n(10000), 1'500'000));
   for (const char* structure : {"cones_local", "mst_maximum_norm_list", "mst_maximum_norm_cycles",
-                                "mst_polygon_list", "mst_polygon_cycles"}) {
+                                "mst_maximum_norm_clusters", "mst_polygon_list",
+                                "mst_polygon_cycles", "mst_polygon_clusters"}) {
     for (const int size : {50, 200}) rows.push_back(random_row(structure, 1, n(size)));
   }
   for (const char* structure : {"graph_mst_list", "graph_mst_cycles", "graph_mst_clusters",

@@ -57,8 +57,10 @@ lab::FamilyExperiments proximity_experiments() {
   family.event_bounds = {"swaps"};
   family.long_audits = {"mst_maximum_norm_list",
                         "mst_maximum_norm_cycles",
+                        "mst_maximum_norm_clusters",
                         "mst_polygon_list",
                         "mst_polygon_cycles",
+                        "mst_polygon_clusters",
                         "closest_pair_discs",
                         "cones_local",
                         "emst_list"};
@@ -72,7 +74,8 @@ lab::FamilyExperiments proximity_experiments() {
                    {{8, 16, 32}, {8, 16, 32, 64, 128}}}};
   for (const std::string_view tree :
        {"emst_list", "emst_cycles", "emst_clusters", "mst_maximum_norm_list",
-        "mst_maximum_norm_cycles", "mst_polygon_list", "mst_polygon_cycles"}) {
+        "mst_maximum_norm_cycles", "mst_maximum_norm_clusters", "mst_polygon_list",
+        "mst_polygon_cycles", "mst_polygon_clusters"}) {
     family.trade.push_back({tree,
                             2,
                             {12, 32},

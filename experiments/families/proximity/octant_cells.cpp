@@ -20,8 +20,9 @@ namespace kinex::families {
 namespace {
 
 constexpr const char* kOctants[] = {"octants_listed", "octants_local"};
-constexpr const char* kNormTrees[] = {"mst_maximum_norm_list", "mst_maximum_norm_cycles",
-                                      "mst_polygon_list", "mst_polygon_cycles"};
+constexpr const char* kNormTrees[] = {"mst_maximum_norm_list",     "mst_maximum_norm_cycles",
+                                      "mst_maximum_norm_clusters", "mst_polygon_list",
+                                      "mst_polygon_cycles",        "mst_polygon_clusters"};
 
 void add_octants_of_small_integers(lab::Catalogue& catalogue, const char* structure) {
   struct Pointers {
