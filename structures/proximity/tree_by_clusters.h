@@ -3,8 +3,8 @@
 //
 // The forest is cut into connected clusters (tree_clusters.h), between which a vertex of many edges
 // may be split into copies. A portal is a copy that is not the only one of its vertex, or that has an
-// edge to another cluster. An edge f between u and v, outside the tree, is at least as long as those of the
-// path between its ends, of which there are three pieces:
+// edge to another cluster. An edge f between u and v, outside the tree, is at least as long as those
+// of the path between its ends, of which there are three pieces:
 //
 //      cluster A            clusters between          cluster B
 //      u --- ... --- a ===== ... ===== ... ===== b --- ... --- v       a, b: portals
@@ -17,8 +17,8 @@
 //            before u, or the last edge;
 //   M_c(u)   the same for the centroid c of a cluster, of the parts that it leaves, and so on;
 //   W(A, B)  the longest edge between two clusters: that between A and the cluster before B, the
-//            longest within that one, and the edge into B, if no vertex is in both; there is none
-//            between clusters that share a vertex;
+//            longest within that one, and the edge into B, unless B shares a vertex with it. If A and
+//            B share one, there is none;
 //   S(A, B)  the shortest of the edges outside the tree between two clusters, by a tournament.
 // Bounds: W(A, B) <= S(A, B) for each two clusters with such edges and a W; M_a(u) <= f and
 // M_b(v) <= f; for an f within a cluster M_c(u) <= f and M_c(v) <= f, c being the first centroid that
