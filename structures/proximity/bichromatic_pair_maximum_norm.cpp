@@ -76,9 +76,18 @@ void BichromaticPairMaximumNorm::certificate_failed(CertificateId failed) {
   events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, nearest());
 }
 
+// Lengths that were identically equal may be so no more, or have become it, and then another claim
+// compares them: they leave the tournament and come back.
 void BichromaticPairMaximumNorm::motions_changed(std::span<const ObjectId> objects) {
   offers_.motions_changed(objects, exchanged());
-  pairs_.motions_changed(objects, tied());
+  std::vector<Value> moved;
+  const auto moves = [&](ObjectId id) { return std::ranges::find(objects, id) != objects.end(); };
+  for (const Value& value : counts_.values()) {
+    if (moves(value[0]) || moves(value[1])) moved.push_back(value);
+  }
+  for (const Value& value : moved) pairs_.go(value);
+  pairs_.apply(tied());
+  for (const Value& value : moved) pairs_.come(value);
   pairs_.apply(tied());
 }
 
@@ -103,12 +112,13 @@ std::vector<BoundCheck> BichromaticPairMaximumNorm::bounds(const BoundContext& c
       Integer(4) * all,
       ConeOffers::most_offers(ConeOffers::Cones::kOctants, KeptPoints::kOneOfEachColour, n));
   std::vector<BoundCheck> result{
-      at_most(own + ".certificates",
-              "four lists, and a tournament of 12 n ceil(log2 n) offers or four lengths for each pair "
-              "of the two colours",
-              ConeOffers::most_certificates(n) +
-                  (lengths.sign() > 0 ? lengths - Integer(1) : Integer(0)),
-              counted(ledger.max_live)),
+      at_most(
+          own + ".certificates",
+          "four lists, and a tournament of 12 n ceil(log2 n) offers or four lengths for each pair "
+          "of the two colours",
+          ConeOffers::most_certificates(n) +
+              (lengths.sign() > 0 ? lengths - Integer(1) : Integer(0)),
+          counted(ledger.max_live)),
       at_most(own + ".events",
               "each two points change their order in each list at every root, and where pieces "
               "meet; the epochs of the nodes of the tournament",
@@ -118,10 +128,9 @@ std::vector<BoundCheck> BichromaticPairMaximumNorm::bounds(const BoundContext& c
   if (!context.plain() || all.sign() == 0) return result;
   result.push_back(ConeOffers::bound_on_exchanges(own, context));
   // A length is |dx| or |dy|: two are equal at roots of eight polynomials at most.
-  result.push_back(at_most(own + ".external",
-                           "pieces of the lower envelope of the lengths of all pairs",
-                           davenport_schinzel_bound(8 * context.degree, all) - Integer(1),
-                           counted(ledger.external)));
+  result.push_back(at_most(
+      own + ".external", "pieces of the lower envelope of the lengths of all pairs",
+      davenport_schinzel_bound(8 * context.degree, all) - Integer(1), counted(ledger.external)));
   return result;
 }
 

@@ -90,13 +90,13 @@ std::vector<BoundCheck> ClosestPairRangeTree::bounds(const BoundContext& context
   const Integer all = kinex::pairs(counted(n));
   const Integer offers = std::min(all, ConeOffers::most_offers(cones_, kept_, n));
   std::vector<BoundCheck> result{
-      at_most("closest_pair_range_tree.certificates",
-              cones_ == ConeOffers::Cones::kOctants
-                  ? "four lists, and a tournament of 8 n ceil(log2 n) offers or all pairs"
-                  : "four lists, and a tournament of 24 n ceil(log2 n) offers or all pairs",
-              ConeOffers::most_certificates(n) +
-                  (offers.sign() > 0 ? offers - Integer(1) : Integer(0)),
-              counted(ledger.max_live)),
+      at_most(
+          "closest_pair_range_tree.certificates",
+          cones_ == ConeOffers::Cones::kOctants
+              ? "four lists, and a tournament of 8 n ceil(log2 n) offers or all pairs"
+              : "four lists, and a tournament of 24 n ceil(log2 n) offers or all pairs",
+          ConeOffers::most_certificates(n) + (offers.sign() > 0 ? offers - Integer(1) : Integer(0)),
+          counted(ledger.max_live)),
       at_most("closest_pair_range_tree.events",
               "each two points change their order in each list at every root, and where pieces "
               "meet; the epochs of the nodes of the tournament",

@@ -359,7 +359,7 @@ void Treaps<Kept>::projection_changed(ObjectId a, ObjectId b) {
 
 template <class Kept>
 void Treaps<Kept>::check_subtree(Node t, Node parent, std::vector<ObjectId>& order,
-                                AuditReport& report) const {
+                                 AuditReport& report) const {
   if (t == kNone) return;
   const TreapNode& node = nodes_[t];
   report.check(node.parent == parent, [] { return "a broken link in a treap"; });
@@ -423,9 +423,12 @@ std::size_t Treaps<Kept>::bytes() const {
 
 std::size_t most_offers(KeptPoints kept) {
   switch (kept) {
-    case KeptPoints::kOne: return 2;
-    case KeptPoints::kThree: return 12;             // 3 x 3 and 1 x 3
-    case KeptPoints::kOneOfEachColour: return 3;  // 2 and 1
+    case KeptPoints::kOne:
+      return 2;
+    case KeptPoints::kThree:
+      return 12;  // 3 x 3 and 1 x 3
+    case KeptPoints::kOneOfEachColour:
+      return 3;  // 2 and 1
   }
   throw std::invalid_argument("no such points to keep");
 }
@@ -437,9 +440,12 @@ std::unique_ptr<ConePairs> make_cone_pairs(KeptPoints kept, const ConePairs::Ord
     return std::make_unique<Treaps<decltype(keep)>>(keep, orders, objects, std::move(offered));
   };
   switch (kept) {
-    case KeptPoints::kOne: return make(KeepOne{});
-    case KeptPoints::kThree: return make(KeepThree{});
-    case KeptPoints::kOneOfEachColour: return make(KeepOneOfEachColour{classes});
+    case KeptPoints::kOne:
+      return make(KeepOne{});
+    case KeptPoints::kThree:
+      return make(KeepThree{});
+    case KeptPoints::kOneOfEachColour:
+      return make(KeepOneOfEachColour{classes});
   }
   throw std::invalid_argument("no such points to keep");
 }

@@ -235,7 +235,7 @@ std::vector<StructureInfo> closest_pairs() {
 
   StructureInfo maximum = tree;
   maximum.name = maximum.group = "bichromatic_pair_maximum_norm";
-  maximum.role = "norm pair";
+  maximum.role = "square";
   maximum.summary =
       "the nearest two points of different colours in the maximum norm, in the plane, by four sorted "
       "lists and range trees over octants";

@@ -28,7 +28,7 @@ PredicateId NormOrder::order(const Along& along) const {
 }
 
 PredicateId NormOrder::extents(const Along& u, const Along& v,
-                                 const std::array<int, 4>& places) const {
+                               const std::array<int, 4>& places) const {
   const auto [place, fresh] = extents_.try_emplace({u, v, places}, PredicateId{});
   if (fresh) {
     const Vector a = vector(u), b = vector(v);
@@ -54,7 +54,8 @@ Query NormOrder::difference(const Step& a, const Step& b, bool turned) const {
       return Query(order(along), {ends[0], ends[1]});
     }
   }
-  const bool in_order = std::pair(long_one.pair(), b.number) < std::pair(short_one.pair(), a.number);
+  const bool in_order =
+      std::pair(long_one.pair(), b.number) < std::pair(short_one.pair(), a.number);
   const NormForm& one = in_order ? long_one : short_one;
   const NormForm& other = in_order ? short_one : long_one;
   const std::array<ObjectId, 4> ids{one.to, one.from, other.to, other.from};
@@ -66,8 +67,8 @@ Query NormOrder::difference(const Step& a, const Step& b, bool turned) const {
     places[i] = static_cast<int>(there - begin);
     if (there == end) query.ids[query.arity++] = ids[i];
   }
-  query.predicate = extents({one.direction, turned, !in_order}, {other.direction, turned, !in_order},
-                            places);
+  query.predicate =
+      extents({one.direction, turned, !in_order}, {other.direction, turned, !in_order}, places);
   return query;
 }
 

@@ -45,8 +45,8 @@ StaticLength static_norm_length(const Snapshot& snapshot, std::span<const Static
   const Rational ids(static_cast<int>(b - a));
   StaticLength largest;
   for (const StaticUnit& u : units) {
-    largest = std::max(largest, size_of({product(u, v), product(u, {-v[1], v[0]}),
-                                         product(u, {ids + ids, ids})}));
+    largest = std::max(
+        largest, size_of({product(u, v), product(u, {-v[1], v[0]}), product(u, {ids + ids, ids})}));
   }
   return largest;
 }

@@ -19,8 +19,10 @@ using Ids = std::vector<ObjectId>;
 
 std::vector<Request> pairs_in(int dimension) {
   if (dimension == 2) {
-    return {ask("closest_pair_delaunay"), ask("closest_pair_all"),   ask("closest_pair_range_tree"),
-            ask("closest_pair_cones"),    ask("closest_pair_local"), ask("closest_pair_bins")};
+    return {ask("closest_pair_delaunay"),   ask("closest_pair_all"),
+            ask("closest_pair_range_tree"), ask("closest_pair_range_tree", "cones", 4),
+            ask("closest_pair_cones"),      ask("closest_pair_local"),
+            ask("closest_pair_bins")};
   }
   if (dimension == 3) return {ask("closest_pair_delaunay"), ask("closest_pair_all")};
   return {ask("closest_pair_all")};
