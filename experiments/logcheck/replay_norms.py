@@ -60,43 +60,26 @@ class MaximumNorm:
 
     def goes_first(self, x):
         """A function: of two pairs, is the first one the shorter?"""
-        precedes = self.precedes(x)
+        precedes, forms = self.precedes(x), {}
 
-        def step(form):
-            u, a, b = form
+        def form(pair):
+            if pair not in forms:
+                forms[pair] = self.form(pair, precedes)
+            return forms[pair]
+
+        def step(pair):
+            u, a, b = form(pair)
             return (b - a) * (2 * u[0] + u[1])
 
         def first(one, other):
-            forms = self.form(one, precedes), self.form(other, precedes)
-            sign = self.compared(*forms, x)
-            return sign > 0 or sign == 0 and (step(forms[0]), one) < (step(forms[1]), other)
+            sign = self.compared(form(one), form(other), x)
+            return sign > 0 or sign == 0 and (step(one), one) < (step(other), other)
 
         return first
 
-
-
-class MaximumNormTree(MaximumNorm, SpanningTree):
-    def in_order(self, x):
-        precedes = self.precedes(x)
-        forms = {pair: self.form(pair, precedes) for pair in self.edges()}
-
-        def step(pair):
-            u, a, b = forms[pair]
-            return (b - a) * (2 * u[0] + u[1])
-
-        def order(one, other):
-            return -self.compared(forms[one], forms[other], x) or (
-                -1 if (step(one), one) < (step(other), other) else 1)
-
-        return sorted(forms, key=cmp_to_key(order))
-
-    def tied(self, old, fresh, x):
-        precedes = self.precedes(x)
-        return self.compared(self.form(old, precedes), self.form(fresh, precedes), x) == 0
-
     def begin(self, x):
         super().begin(x)
-        self.entered = set()  # edges that have come into the tree, or near it, at the present instant
+        self.entered = set()  # pairs that have won a duel, or come into the tree or near it, at the present instant
 
     def record(self, r, x):
         super().record(r, x)
@@ -109,7 +92,7 @@ class MaximumNormTree(MaximumNorm, SpanningTree):
 
     def doubt(self, r, x, what):
         """Of two lengths that are identically equal the turned ones are compared, which may be negative since long.
-        That is a failure only of an edge that has taken the place of another one at this instant."""
+        That is a failure only of a pair that has taken the place of another one at this instant."""
         old, fresh = tuple(r.ids[:2]), tuple(r.ids[2:])
         said = {self.world.polynomial(*q) for q in self.meanings(*self.query(r)) if self.world.sign_after(q, x) < 0}
         self.require(old in self.entered and any(
@@ -132,6 +115,16 @@ class MaximumNormTree(MaximumNorm, SpanningTree):
             query = extent_query(u, v, b, a, b, a)
             if query is None or self.world.vanishes(query, x):
                 yield v, a, b
+
+
+class MaximumNormTree(MaximumNorm, SpanningTree):
+    def in_order(self, x):
+        first = self.goes_first(x)
+        return sorted(self.edges(), key=cmp_to_key(lambda one, other: -1 if first(one, other) else 1))
+
+    def tied(self, old, fresh, x):
+        precedes = self.precedes(x)
+        return self.compared(self.form(old, precedes), self.form(fresh, precedes), x) == 0
 
     def names_both(self, r):
         """Of two lengths along one axis with an end in common only the other ends are named."""

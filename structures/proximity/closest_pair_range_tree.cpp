@@ -13,7 +13,7 @@ ClosestPairRangeTree::ClosestPairRangeTree(Kernel& kernel, StructureId id, const
     : kernel_(&kernel),
       id_(id),
       cones_(cones),
-      kept_(cones == ConeOffers::Cones::kOctants ? KeptPoints::kOne : KeptPoints::kThree),
+      kept_(cones == ConeOffers::Cones::kOctants ? KeptPoints::kOne : KeptPoints::kTwo),
       pairs_(kernel, id, "pairs", PairDistances(kernel, 2)),
       offers_(kernel, id, scene.objects.size(), cones, kept_, nullptr,
               [this](const ConeOffers::Offer& offer, int change) {
@@ -94,7 +94,7 @@ std::vector<BoundCheck> ClosestPairRangeTree::bounds(const BoundContext& context
           "closest_pair_range_tree.certificates",
           cones_ == ConeOffers::Cones::kOctants
               ? "four lists, and a tournament of 8 n ceil(log2 n) offers or all pairs"
-              : "four lists, and a tournament of 24 n ceil(log2 n) offers or all pairs",
+              : "four lists, and a tournament of 10 n ceil(log2 n) offers or all pairs",
           ConeOffers::most_certificates(n) + (offers.sign() > 0 ? offers - Integer(1) : Integer(0)),
           counted(ledger.max_live)),
       at_most("closest_pair_range_tree.events",

@@ -12,15 +12,15 @@
 //
 //                         octants                    quadrants
 //   range trees           4                          2
-//   offers of a node      2                          12, of three lookers and three seen
-//   pairs offered         at most 8 n ceil(log2 n)   at most 24 n ceil(log2 n)
+//   offers of a node      2                          5, of two lookers and two seen
+//   pairs offered         at most 8 n ceil(log2 n)   at most 10 n ceil(log2 n)
 //   an order that fails   O(log^2 n) steps and offers that change, mostly to what they were, O(log
 //                         n) certificates each
 //
 // A failure of the tournament renews O(log n). Near-quadratic: at most 4d C(n, 2) exchanges without
 // flight-plan changes, against the nearly cubic events of a triangulation. A point is in at most 8
-// order certificates. An insertion or erasure makes the range trees anew, O(n log^2 n). Octants have
-// fewer offers; quadrants are those of the paper.
+// order certificates. An insertion or erasure makes the range trees anew, O(n log^2 n). Quadrants are
+// those of the paper, which keeps three candidates; in the order after a turn two suffice.
 //
 // Ties. Of pairs whose distances are identically equal the lexicographically smallest one.
 //

@@ -29,18 +29,16 @@ struct KeepOne {
   }
 };
 
-struct KeepThree {  // the best one first
-  static constexpr std::size_t kKept = 3;
-  static constexpr std::array<std::array<std::uint8_t, 2>, 9> kOffered{
-      {{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 1}, {1, 2}, {2, 0}, {2, 1}, {2, 2}}};
+struct KeepTwo {  // the better one first
+  static constexpr std::size_t kKept = 2;
+  static constexpr std::array<std::array<std::uint8_t, 2>, 3> kOffered{{{0, 0}, {0, 1}, {1, 0}}};
   using Points = std::array<ObjectId, kKept>;
 
   template <class Better>
   void add(Points& kept, ObjectId point, const Better& better) const {
-    for (ObjectId& one : kept) {
-      if (one == kNoObject || better(point, one)) std::swap(one, point);
-      if (point == kNoObject) return;
-    }
+    if (kept[0] == kNoObject || better(point, kept[0])) std::swap(kept[0], point);
+    if (point == kNoObject) return;
+    if (kept[1] == kNoObject || better(point, kept[1])) kept[1] = point;
   }
 };
 
@@ -425,8 +423,8 @@ std::size_t most_offers(KeptPoints kept) {
   switch (kept) {
     case KeptPoints::kOne:
       return 2;
-    case KeptPoints::kThree:
-      return 12;  // 3 x 3 and 1 x 3
+    case KeptPoints::kTwo:
+      return 5;  // 3 and 2
     case KeptPoints::kOneOfEachColour:
       return 3;  // 2 and 1
   }
@@ -442,8 +440,8 @@ std::unique_ptr<ConePairs> make_cone_pairs(KeptPoints kept, const ConePairs::Ord
   switch (kept) {
     case KeptPoints::kOne:
       return make(KeepOne{});
-    case KeptPoints::kThree:
-      return make(KeepThree{});
+    case KeptPoints::kTwo:
+      return make(KeepTwo{});
     case KeptPoints::kOneOfEachColour:
       return make(KeepOneOfEachColour{classes});
   }

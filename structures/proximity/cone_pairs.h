@@ -19,7 +19,8 @@
 //
 //   what is kept                offered                        for
 //   one of each                 last looker, first seen        octants
-//   three of each               all nine pairs                 quadrants
+//   two of each                 last with first and second,    quadrants
+//                               last but one with first
 //   one of each and colour      last red with first blue,      octants, in the maximum norm, pairs
 //                               last blue with first red       of two colours
 //
@@ -27,13 +28,26 @@
 // u, and p strictly the last of q - K. (For K = {0 <= y < x}, p = 0, q = (1, b): a point (a, c) of K
 // with a <= 1 is nearer to q than p is.)
 //
-// Quadrants. Then q is one of the first three, whatever the order of level points. (For K = {x, y >=
-// 0} by x + y, p = 0, q = (a, b) not 0: points level with q or before it are in the triangle with the
-// corners 0, C = (a + b, 0) and C' = (0, a + b), and not in the open disc about 0 through q, since
-// they are not nearer to 0. What is left are two mirror images, one at C and one at C', which meet at
-// most in (a, b) = (b, a). Each has the diameter min(a, b) sqrt(2) <= |pq|, between (a, b) or (b, a)
-// and its corner alone. No two points are nearer than |pq|: so each has one point at most if a is not
-// b, and none but q, C and C' if a = b.) Likewise p is one of the last three of q - K.
+// Quadrants. Then q is the first or the second point of p + K, p the last or the last but one of q -
+// K, and not both are second at one treap node. Let K = {x, y >= 0} by x + y, p = 0, q = (a, b) and
+// D = |pq| > 0.
+//
+//   C'
+//   |\        Points r level with q or before it are in the triangle 0, C = (a + b, 0), C' = (0, a
+//   | \       + b), and at least as far as D from p and from q. Outside of the open disc about p
+//   (  q      through q two mirror images are left of the triangle, one at C and one at C', which
+//   |`- \     meet at most in (a, b) = (b, a). Each has the diameter min(a, b) sqrt(2) <= D, that
+//   p--(-C    of (a, b) or (b, a) and its corner alone.
+//
+//   a > b: the diameter is less than D. So q is alone in the piece at C, and one point r at most is
+//   in that at C', with r.x <= b < a. It is in the triangle, so r.y - b <= a - r.x, and at least as
+//   far as D from q: hence a - r.x >= D / sqrt(2). Turned by a half turn: of the points of q - K
+//   level with p or behind it there is at most one, s, with s.x >= D / sqrt(2). If a node has both,
+//   then r is in s + K, and s.x <= r.x: 2 D / sqrt(2) <= a, but a <= D. Likewise for a < b.
+//
+//   a = b: only C and C' may be there, level with q and on either side of it along the side of the
+//   triangle: one is before q. Likewise one of (a, -a) and (-a, a), opposite to it, is behind p, and
+//   no quadrant of that has both q and the other one.
 //
 // Of points that are equal identically the pair of the two smallest ids is to be offered: in the
 // order along (2, 1) they are next to each other in all orders.
@@ -42,7 +56,7 @@
 // blue seen at a treap node the last with the first is the shortest, and the only one: there are no
 // two level points in u (turned_order.h). So every closest pair of two colours is offered.
 //
-// Cost, for n points: n ceil(log2 n) treap nodes, with 2, 12 or 3 offers each at most. Two
+// Cost, for n points: n ceil(log2 n) treap nodes, with 2, 5 or 3 offers each at most. Two
 // neighbours that change places in an order: O(log^2 n) steps.
 //
 // Source: after Basch, Guibas, Zhang, "Proximity problems on moving points" (1997), and Agarwal,
@@ -106,7 +120,7 @@ class ConePairs {
 };
 
 // What its nodes keep.
-enum class KeptPoints : std::uint8_t { kOne, kThree, kOneOfEachColour };
+enum class KeptPoints : std::uint8_t { kOne, kTwo, kOneOfEachColour };
 // The most offers of a treap node.
 std::size_t most_offers(KeptPoints kept);
 // `objects`: their number in the scene. `classes`: for kOneOfEachColour, whose points are all in

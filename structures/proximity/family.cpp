@@ -165,7 +165,7 @@ std::vector<StructureInfo> closest_pairs() {
                       .most = "8",
                       .step = "4"}};
   tree.certificates =
-      "n - 1 for each of four sorted lists, fewer than 8 n ceil(log2 n), by quadrants 24 n ceil(log2 "
+      "n - 1 for each of four sorted lists, fewer than 8 n ceil(log2 n), by quadrants 10 n ceil(log2 "
       "n), for the tournament of the pairs that range trees offer";
   tree.source = "Basch, Guibas, Zhang, Proximity problems on moving points (1997)";
   tree.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
@@ -234,7 +234,8 @@ std::vector<StructureInfo> closest_pairs() {
   two_all.make = [](const MakerInput& in) { return make_all(in, true); };
 
   StructureInfo maximum = tree;
-  maximum.name = maximum.group = "bichromatic_pair_maximum_norm";
+  maximum.name = "bichromatic_pair_maximum_norm";
+  maximum.group = {};
   maximum.role = "square";
   maximum.summary =
       "the nearest two points of different colours in the maximum norm, in the plane, by four sorted "
