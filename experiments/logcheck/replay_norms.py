@@ -77,9 +77,19 @@ class MaximumNorm:
 
         return first
 
+
+class MaximumNormTree(MaximumNorm, SpanningTree):
+    def in_order(self, x):
+        first = self.goes_first(x)
+        return sorted(self.edges(), key=cmp_to_key(lambda one, other: -1 if first(one, other) else 1))
+
+    def tied(self, old, fresh, x):
+        precedes = self.precedes(x)
+        return self.compared(self.form(old, precedes), self.form(fresh, precedes), x) == 0
+
     def begin(self, x):
         super().begin(x)
-        self.entered = set()  # pairs that have won a duel, or come into the tree or near it, at the present instant
+        self.entered = set()  # edges that have come into the tree, or near it, at the present instant
 
     def record(self, r, x):
         super().record(r, x)
@@ -92,7 +102,7 @@ class MaximumNorm:
 
     def doubt(self, r, x, what):
         """Of two lengths that are identically equal the turned ones are compared, which may be negative since long.
-        That is a failure only of a pair that has taken the place of another one at this instant."""
+        That is a failure only of an edge that has taken the place of another one at this instant."""
         old, fresh = tuple(r.ids[:2]), tuple(r.ids[2:])
         said = {self.world.polynomial(*q) for q in self.meanings(*self.query(r)) if self.world.sign_after(q, x) < 0}
         self.require(old in self.entered and any(
@@ -115,16 +125,6 @@ class MaximumNorm:
             query = extent_query(u, v, b, a, b, a)
             if query is None or self.world.vanishes(query, x):
                 yield v, a, b
-
-
-class MaximumNormTree(MaximumNorm, SpanningTree):
-    def in_order(self, x):
-        first = self.goes_first(x)
-        return sorted(self.edges(), key=cmp_to_key(lambda one, other: -1 if first(one, other) else 1))
-
-    def tied(self, old, fresh, x):
-        precedes = self.precedes(x)
-        return self.compared(self.form(old, precedes), self.form(fresh, precedes), x) == 0
 
     def names_both(self, r):
         """Of two lengths along one axis with an end in common only the other ends are named."""

@@ -72,12 +72,16 @@ void BichromaticPairMaximumNorm::certificate_failed(CertificateId failed) {
     return;
   }
   const auto duel = pairs_.failed(failed, tied());
+  if (!kernel_->instant_is_over(id_)) {
+    renew({duel.after});
+    kernel_->settle_later(id_);  // the change of the attribute may be more than this duel
+  }
   const auto old = pair_of(duel.before), fresh = pair_of(duel.after);
   events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, nearest());
 }
 
 // Lengths that were identically equal may be so no more, or have become it, and then another claim
-// compares them: they leave the tournament and come back.
+// compares them.
 void BichromaticPairMaximumNorm::motions_changed(std::span<const ObjectId> objects) {
   offers_.motions_changed(objects, exchanged());
   std::vector<Value> moved;
@@ -85,9 +89,17 @@ void BichromaticPairMaximumNorm::motions_changed(std::span<const ObjectId> objec
   for (const Value& value : counts_.values()) {
     if (moves(value[0]) || moves(value[1])) moved.push_back(value);
   }
-  for (const Value& value : moved) pairs_.go(value);
+  renew(moved);
+}
+
+// They leave the tournament and come back, so that their matches are decided right after now. A winner
+// that has taken the place of another one is level with that, but above it may meet a length that is
+// identically equal to its own and shorter after the turn, since long: no certificate would fail at
+// this instant.
+void BichromaticPairMaximumNorm::renew(const std::vector<Value>& values) {
+  for (const Value& value : values) pairs_.go(value);
   pairs_.apply(tied());
-  for (const Value& value : moved) pairs_.come(value);
+  for (const Value& value : values) pairs_.come(value);
   pairs_.apply(tied());
 }
 

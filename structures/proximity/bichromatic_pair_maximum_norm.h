@@ -132,6 +132,7 @@ class BichromaticPairMaximumNorm final : public Structure {
   std::vector<ObjectId> nearest() const;
   void offer(const ConeOffers::Offer& offer, int change);
   void begin();
+  void renew(const std::vector<Value>& values);
 
   Kernel* kernel_;
   StructureId id_;
