@@ -14,7 +14,7 @@ from replay_calipers import folds_of
 from replay_discs import closest_discs
 from replay_directions import all_directions, half_directions, k_of, opposite
 from replay_lines import measure_of
-from replay_norms import MOST_MEMBERS, norm_tree_of
+from replay_norms import MOST_MEMBERS, nearest_in_norm, norm_tree_of
 from replay_octants import corners_of
 from space import cells_of, regular_of
 from static import forest_edges, rotated, spanning_tree
@@ -390,6 +390,8 @@ def attribute_of(structure, key, positions, scene):
         return pairs_of_positions(positions)
     if name == "closest_pair_discs":
         return closest_discs(positions)
+    if name == "bichromatic_pair_maximum_norm":
+        return nearest_in_norm(pairs_of(structure, positions, scene), positions)
     if name.startswith(("closest_pair_", "bichromatic_pair_")):
         return closest_of(pairs_of(structure, positions, scene), positions)
     if name == "nearest_site":

@@ -91,6 +91,9 @@ def queries_of(structure, key, members, period):
         if len(members) <= MOST_MEMBERS:
             yield from norm_queries(members)
         return
+    if name == "bichromatic_pair_maximum_norm":
+        yield from norm_queries(members, pairs_of(structure, members, scene))
+        return
     if name.startswith("mst_polygon_"):
         if len(members) <= MOST_MEMBERS:
             yield from polygon_queries(corners_of(structure), members, period)

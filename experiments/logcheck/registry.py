@@ -17,7 +17,7 @@ from replay_lines import ArrangementOfLines, ClosestPointLine, PointsAboveLines,
 from replay_list import SortedList
 from replay_locations import LinesNextToPoints
 from replay_maximum import Maximum, OfList
-from replay_norms import MaximumNormTree, PolygonTree
+from replay_norms import MaximumNormTree, NearestInMaximumNorm, PolygonTree
 from replay_octants import Cones, Octants
 from replay_pairs import BoxesThatMeet, DiscsThatMeet
 from replay_range import RangeTree, TrajectoryTree
@@ -39,6 +39,7 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": Dela
             "octants_listed": Octants, "octants_local": Octants, "cones_local": Cones,
             "nearest_site": NearestSite, "voronoi_cell_2": VoronoiCell,
             "bichromatic_pair_delaunay": TwoColours, "bichromatic_pair_all": TwoColours,
+            "bichromatic_pair_maximum_norm": NearestInMaximumNorm,
             "mst_maximum_norm_list": MaximumNormTree, "mst_maximum_norm_cycles": MaximumNormTree,
             "mst_maximum_norm_clusters": MaximumNormTree,
             "mst_polygon_list": PolygonTree, "mst_polygon_cycles": PolygonTree,

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""mst_maximum_norm_*, mst_polygon_*: the minimum spanning tree in the norm of a polygon, from scratch right after every
-instant that has a record. Lengths that are identically equal are compared after an infinitesimal turn, then as if the
-points had been moved by their numbers along (2, 1)."""
+"""mst_maximum_norm_*, mst_polygon_*, bichromatic_pair_maximum_norm: the minimum spanning tree in the norm of a polygon,
+and the nearest two points of two colours, from scratch right after every instant that has a record. Lengths that are
+identically equal are compared after an infinitesimal turn, then as if the points had been moved by their numbers along
+(2, 1)."""
 
 from functools import cmp_to_key
 from itertools import combinations
@@ -10,6 +11,7 @@ from octants import DIFFERENCE, SUM, X, Y, precedes_by
 from polygons import cones, counted, opposite, precedes_along, turned, units
 from replay_directions import Along, extent_query
 from replay_octants import corners_of
+from replay_scratch import ClosestPairOfOrders, TwoColours
 from replay_trees import SpanningTree
 from static import spanning_tree
 
@@ -17,7 +19,9 @@ AXIS = {X: (1, 0), Y: (0, 1)}
 ALL = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
 
-class MaximumNormTree(SpanningTree):
+class MaximumNorm:
+    """Lengths of pairs of members."""
+
     def vectors(self):
         return ALL
 
@@ -54,19 +58,30 @@ class MaximumNormTree(SpanningTree):
                 return sign
         return 0
 
-    def in_order(self, x):
-        precedes = self.precedes(x)
-        forms = {pair: self.form(pair, precedes) for pair in self.edges()}
+    def goes_first(self, x):
+        """A function: of two pairs, is the first one the shorter?"""
+        precedes, forms = self.precedes(x), {}
+
+        def form(pair):
+            if pair not in forms:
+                forms[pair] = self.form(pair, precedes)
+            return forms[pair]
 
         def step(pair):
-            u, a, b = forms[pair]
+            u, a, b = form(pair)
             return (b - a) * (2 * u[0] + u[1])
 
-        def order(one, other):
-            return -self.compared(forms[one], forms[other], x) or (
-                -1 if (step(one), one) < (step(other), other) else 1)
+        def first(one, other):
+            sign = self.compared(form(one), form(other), x)
+            return sign > 0 or sign == 0 and (step(one), one) < (step(other), other)
 
-        return sorted(forms, key=cmp_to_key(order))
+        return first
+
+
+class MaximumNormTree(MaximumNorm, SpanningTree):
+    def in_order(self, x):
+        first = self.goes_first(x)
+        return sorted(self.edges(), key=cmp_to_key(lambda one, other: -1 if first(one, other) else 1))
 
     def tied(self, old, fresh, x):
         precedes = self.precedes(x)
@@ -116,6 +131,40 @@ class MaximumNormTree(SpanningTree):
         return set(self.query(r)[1]) <= set(r.ids)
 
 
+class NearestInMaximumNorm(MaximumNorm, TwoColours):
+    """The nearest two points of different classes, with the exchanges of two neighbours along x, y, x + y or x - y."""
+
+    def meanings(self, name, ids):
+        if name == "order_direction":
+            return [(("order_direction", u), ids) for u in ClosestPairOfOrders.DIRECTIONS]
+        return super().meanings(name, ids)
+
+    def current(self, x):
+        first, best = self.goes_first(x), None
+        for pair in self.pairs():
+            if best is None or first(pair, best):
+                best = pair
+        return [] if best is None else [best]
+
+    def replaced(self, r, before, after):
+        if r.kind == "replace":
+            super().replaced(r, before, after)
+
+    def event(self, r, x):
+        """Of two lengths along one axis with an end in common only the other ends are named."""
+        self.require_members(r, 2 if r.kind == "order" else 4)
+        objects = set(r.ids)
+        if r.kind == "order":
+            if self.query(r) is not None:
+                self.require(set(self.query(r)[1]) == objects, "%s is not a failure of the two points", r.short())
+            return
+        old, fresh = tuple(r.ids[:2]), tuple(r.ids[2:])
+        self.require(old[0] < old[1] and fresh[0] < fresh[1], "%s: no two pairs", r.short())
+        self.require({old, fresh} <= set(self.pairs()), "%s: not two pairs of two colours", r.short())
+        if r.kind == "replace" and self.query(r) is not None:
+            self.require(set(self.query(r)[1]) <= objects, "%s is not a failure of the two pairs", r.short())
+
+
 class PolygonTree(MaximumNormTree):
     def vectors(self):
         return signed_units(corners_of(self.structure))
@@ -150,14 +199,18 @@ def norm_length(p, q, i, j, vectors):
     return max(size((u * x + v * y, v * x - u * y, (2 * u + v) * step)) for u, v in vectors)
 
 
+def nearest_in_norm(pairs, positions, vectors=ALL[:2]):
+    return [min(pairs, key=lambda e: (norm_length(positions[e[0]], positions[e[1]], *e, vectors), e))] if pairs else []
+
+
 def norm_tree_of(positions, vectors=ALL[:2]):
     pairs = combinations(sorted(positions), 2)
     return spanning_tree(sorted(pairs, key=lambda e: (norm_length(positions[e[0]], positions[e[1]], *e, vectors), e)))
 
 
-def norm_queries(members):
-    """All equalities of two differences of coordinates, up to their signs; the octants."""
-    pairs = list(combinations(sorted(members), 2))
+def norm_queries(members, pairs=None):
+    """All equalities of two differences of coordinates of the pairs (all pairs), up to their signs; the octants."""
+    pairs = list(combinations(sorted(members), 2)) if pairs is None else pairs
     for pair in pairs:
         yield ("order_x", pair)
         yield ("order_y", pair)

@@ -5,7 +5,7 @@
 //
 // Certificates. It watches the octants and keeps the shortest of their pairs by a ChangingExtremum:
 // "this pair is at most as far apart as that one", at most 4n - 1, of degree 2d for motions of
-// degree d. Each closest pair, if there are several, is among these pairs (octant_pairs.h).
+// degree d. Each closest pair, if there are several, is among these pairs (cone_pairs.h).
 //
 // Quality, for n points: a failure renews O(log n) certificates, and so does every pair that comes
 // or goes. A point may be next for many others. External events: one for each instant that changes

@@ -3,25 +3,24 @@
 // range trees over them, without a triangulation.
 //
 // Certificates.
-//   the order of the points by x, y, x + y and x - y (turned_order.h): n - 1 each, degree d for
+//   the order of the points by x, y, x + y and x - y (cone_offers.h): n - 1 each, degree d for
 //   motions of degree d
-//   the shortest of the pairs that the range trees of four octants offer (octant_pairs.h), among
-//   which is every closest pair: fewer than 8 n ceil(log2 n), degree 2d
-// The other four octants are those of the pairs read from their other ends.
+//   the shortest of the pairs that the range trees of octants or of quadrants offer (cone_pairs.h),
+//   among which is every closest pair: degree 2d
 //
-//     sorted lists         range trees, one an octant
-//     x      ---+          0 < y < x    by y and x - y, first along x   ---+
-//     y      ---+------->  0 < x < y    by x and x - y, first along y   ---+---> tournament of
-//     x + y  ---+          0 < -x < y   by x and x + y, first along y   ---+     the pairs offered
-//     x - y  ---+          0 < y < -x   by y and x + y, first along -x  ---+
-//               exchanges                                     pairs that come and go
+// Quality, for n points:
 //
-// Quality, for n points: a failure of an order exchanges two neighbours of a list and makes O(log^2
-// n) steps in the range trees; it changes O(log^2 n) offers, mostly to what they were, O(log n)
-// certificates each. A failure of the tournament renews O(log n). Near-quadratic: at most 4d C(n,
-// 2) exchanges without flight-plan changes, against the nearly cubic events of a triangulation. A
-// point is in at most 8 order certificates. An insertion or erasure makes the range trees anew,
-// O(n log^2 n).
+//                         octants                    quadrants
+//   range trees           4                          2
+//   offers of a node      2                          5, of two lookers and two seen
+//   pairs offered         at most 8 n ceil(log2 n)   at most 10 n ceil(log2 n)
+//   an order that fails   O(log^2 n) steps and offers that change, mostly to what they were, O(log
+//                         n) certificates each
+//
+// A failure of the tournament renews O(log n). Near-quadratic: at most 4d C(n, 2) exchanges without
+// flight-plan changes, against the nearly cubic events of a triangulation. A point is in at most 8
+// order certificates. An insertion or erasure makes the range trees anew, O(n log^2 n). Quadrants are
+// those of the paper, which keeps three candidates; in the order after a turn two suffice.
 //
 // Ties. Of pairs whose distances are identically equal the lexicographically smallest one.
 //
@@ -32,9 +31,7 @@
 #ifndef KINEX_STRUCTURES_PROXIMITY_CLOSEST_PAIR_RANGE_TREE_H
 #define KINEX_STRUCTURES_PROXIMITY_CLOSEST_PAIR_RANGE_TREE_H
 
-#include <array>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -42,26 +39,22 @@
 #include "core/engine/structure.h"
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/changing_extremum.h"
-#include "structures/parts/kinetic_list.h"
 #include "structures/parts/pair_distances.h"
-#include "structures/proximity/cone_frame.h"
-#include "structures/proximity/octant_pairs.h"
-#include "structures/proximity/turned_order.h"
+#include "structures/proximity/cone_offers.h"
+#include "structures/proximity/offer_counts.h"
 
 namespace kinex {
 
 class ClosestPairRangeTree final : public Structure {
   using Pair = PairDistances::Value;
-  using List = KineticList<TurnedOrder>;
   auto tied() {
     return [this](const Pair& a, const Pair& b) {
       kernel_->report(id_, kTie, {a[0], a[1], b[0], b[1]}, false);
     };
   }
-  auto exchanged(std::size_t axis) {
-    return [this, axis](ObjectId before, ObjectId after) {
+  auto exchanged() {
+    return [this](ObjectId before, ObjectId after) {
       kernel_->report(id_, kOrder, {before, after}, false);
-      exchange(axis, before, after);
     };
   }
 
@@ -71,7 +64,7 @@ class ClosestPairRangeTree final : public Structure {
   // the one that was in front, the other.
   enum Kind : std::uint8_t { kReplace, kTie, kOrder };
 
-  ClosestPairRangeTree(Kernel& kernel, StructureId id, const Scene& scene);
+  ClosestPairRangeTree(Kernel& kernel, StructureId id, const Scene& scene, ConeOffers::Cones cones);
 
   std::string_view name() const override { return "closest_pair_range_tree"; }
   std::vector<std::string_view> event_kinds() const override {
@@ -94,19 +87,15 @@ class ClosestPairRangeTree final : public Structure {
 
  private:
   std::vector<ObjectId> closest() const;
-  void count_places();
-  void make_trees();
-  void exchange(std::size_t axis, ObjectId before, ObjectId after);
-  void offer(const Pair& pair, int change);
   void begin();
 
   Kernel* kernel_;
   StructureId id_;
-  std::vector<List> lists_;                                     // by OctantAxis
-  std::array<std::vector<std::uint32_t>, kOctantAxes> places_;  // of objects in the lists
-  std::vector<OctantPairs> octants_;
-  std::map<Pair, int> offers_;  // how many nodes of the trees offer the pair
+  ConeOffers::Cones cones_;
+  KeptPoints kept_;
   ChangingExtremum<PairDistances> pairs_;
+  OfferCounts<Pair> counts_;
+  ConeOffers offers_;
   AttributeEvents events_;
 };
 

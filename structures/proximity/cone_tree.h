@@ -8,7 +8,7 @@
 // The engine proves the tree: by the order of all those pairs (tree_by_list.h), by the longest edge
 // of every cycle (tree_by_cycles.h), or by those of paths in and between clusters of the points
 // (tree_by_clusters.h, which has its bounds). Certificates compare two lengths, each a linear function
-// of the step between two points: degree d for motions of degree d (norm_lengths.h).
+// of the step between two points: degree d for motions of degree d (norm_order.h).
 //
 // Pairs suffice. In a cone of p over a side of the unit circle the norm is a linear function u. Let q
 // be the first point there by u, and r another one:
@@ -40,7 +40,7 @@
 // the Euclidean tree (cone_frame.h): eps < 0.055 for 12 corners, 0.02 for 20. Both trees are made at
 // every audit.
 //
-// Ties. As norm_lengths.h says: in the order after an infinitesimal turn of the plane, then by ids.
+// Ties. As norm_order.h says: in the order after an infinitesimal turn of the plane, then by ids.
 // Points that are identically equal are a path in the order of their ids.
 //
 // Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7: trees in

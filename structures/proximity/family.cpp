@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "structures/proximity/bichromatic_pair_maximum_norm.h"
 #include "structures/proximity/box_pairs.h"
 #include "structures/proximity/closest_pair_all.h"
 #include "structures/proximity/closest_pair_bins.h"
@@ -59,8 +60,8 @@ std::unique_ptr<Structure> make_octants_reader(const MakerInput& in, std::string
       in.kernel, in.id, dynamic_cast<const ConeNeighbours&>(*in.watched[0]), name);
 }
 
-// The parameter of cones_local.
-constexpr std::string_view kCorners = "corners";
+// The parameters of cones_local and of closest_pair_range_tree.
+constexpr std::string_view kCorners = "corners", kCones = "cones";
 
 std::vector<StructureInfo> cones() {
   StructureInfo base;
@@ -153,14 +154,26 @@ std::vector<StructureInfo> closest_pairs() {
 
   StructureInfo tree = base;
   tree.name = "closest_pair_range_tree";
-  tree.summary = "the closest pair in the plane, by four sorted lists and range trees over octants";
+  tree.summary =
+      "the closest pair in the plane, by four sorted lists and range trees over octants or quadrants";
   tree.min_dimension = 2;
   tree.kinds.push_back({"order", Effect::kSometimes, "two neighbours of a list change places"});
+  tree.parameters = {{.name = kCones,
+                      .summary = "the cones around a point: 8 octants, or 4 quadrants",
+                      .usual = "8",
+                      .least = "4",
+                      .most = "8",
+                      .step = "4"}};
   tree.certificates =
-      "n - 1 for each of four sorted lists, fewer than 8 n ceil(log2 n) for the tournament of the "
-      "pairs that range trees offer";
+      "n - 1 for each of four sorted lists, fewer than 8 n ceil(log2 n), by quadrants 10 n ceil(log2 "
+      "n), for the tournament of the pairs that range trees offer";
   tree.source = "Basch, Guibas, Zhang, Proximity problems on moving points (1997)";
-  tree.make = make_plain<ClosestPairRangeTree>;
+  tree.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
+    const bool octants = in.parameter(kCones) == Rational(8);
+    return std::make_unique<ClosestPairRangeTree>(
+        in.kernel, in.id, in.scene,
+        octants ? ConeOffers::Cones::kOctants : ConeOffers::Cones::kQuadrants);
+  };
 
   StructureInfo cones = base;
   cones.name = "closest_pair_cones";
@@ -219,7 +232,28 @@ std::vector<StructureInfo> closest_pairs() {
       "mn - 1 for m and n points of the two colours, one for each match in the tournament of "
       "their pairs";
   two_all.make = [](const MakerInput& in) { return make_all(in, true); };
-  return {delaunay, all, tree, cones, local, bins, two, two_all};
+
+  StructureInfo maximum = tree;
+  maximum.name = "bichromatic_pair_maximum_norm";
+  maximum.group = {};
+  maximum.role = "square";
+  maximum.summary =
+      "the nearest two points of different colours in the maximum norm, in the plane, by four sorted "
+      "lists and range trees over octants";
+  maximum.colours = true;
+  maximum.parameters = {};
+  maximum.kinds[1].text = "another pair wins a duel: the lengths are identically equal";
+  maximum.certificates =
+      "n - 1 for each of four sorted lists, fewer than 12 n ceil(log2 n) for the tournament of the "
+      "pairs that range trees offer";
+  maximum.ties =
+      "of pairs with identically equal lengths the one that is shortest after an infinitesimal turn, "
+      "then after steps along (2, 1) by id, then the lexicographically smallest one";
+  maximum.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
+    return std::make_unique<BichromaticPairMaximumNorm>(in.kernel, in.id, in.scene,
+                                                        TwoClasses(in.request, in.scene));
+  };
+  return {delaunay, all, tree, cones, local, bins, two, two_all, maximum};
 }
 
 StructureInfo nearest_site() {

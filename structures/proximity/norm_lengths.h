@@ -10,16 +10,8 @@
 // The owner says which linear function is that of an edge: an edge that comes to another cone gets
 // another number.
 //
-// Claims are about two extents along two directions, degree d for motions of degree d
-// (make_extent_order); where two edges of one direction have an end in common, about the order of
-// the other ends along it.
-//
-// Ties. Lengths that are identically equal are in the order right after an infinitesimal turn of
-// the plane, u becoming its image by a quarter turn; if those are identically equal, too, in that of
-// the lengths of the points moved by their ids along (2, 1); the last resort is the lexicographic
-// order of the pairs. So the order is that of points without three level ones, however they are
-// (turned_order.h has the same), and every edge of the minimum spanning tree is a pair of a point
-// and the first one in a cone around it.
+// Claims and ties: norm_order.h. So every edge of the minimum spanning tree is a pair of a point and
+// the first one in a cone around it.
 #ifndef KINEX_STRUCTURES_PROXIMITY_NORM_LENGTHS_H
 #define KINEX_STRUCTURES_PROXIMITY_NORM_LENGTHS_H
 
@@ -27,11 +19,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <span>
-#include <tuple>
+#include <utility>
 #include <vector>
 
-#include "core/engine/kernel.h"
+#include "structures/proximity/norm_order.h"
 #include "structures/proximity/tree_edges.h"
 
 namespace kinex {
@@ -39,21 +30,20 @@ namespace kinex {
 class NormLengths final : public TreeEdges {
  public:
   using Pair = std::array<ObjectId, 2>;  // ids, ascending
-  using Vector = std::array<int, 2>;
-  // Its length is units[direction].(to - from).
-  struct Form {
-    std::uint8_t direction = 0;
-    ObjectId from = kNoObject, to = kNoObject;
-    friend bool operator==(const Form&, const Form&) = default;
-  };
+  using Form = NormForm;
 
   // `units`: the linear functions, no two of them equal; neither is opposite to another one.
-  NormLengths(Kernel& kernel, std::vector<Vector> units);
+  NormLengths(Kernel& kernel, std::vector<NormOrder::Vector> units)
+      : order_(kernel, std::move(units)) {}
 
-  Query claim(Item a, Item b) const override;
-  bool goes_first(Item a, Item b) const override;
-  std::array<std::uint32_t, 2> ends(Item item) const override { return pair_of(forms_[item]); }
-  EdgeIds ids(Item item) const override { return pair_of(forms_[item]); }
+  Query claim(Item a, Item b) const override {
+    return order_.claim({forms_[a], a}, {forms_[b], b});
+  }
+  bool goes_first(Item a, Item b) const override {
+    return order_.goes_first({forms_[a], a}, {forms_[b], b});
+  }
+  std::array<std::uint32_t, 2> ends(Item item) const override { return forms_[item].pair(); }
+  EdgeIds ids(Item item) const override { return forms_[item].pair(); }
 
   // By pair, ascending.
   const std::map<Pair, Item>& items() const { return item_of_; }
@@ -68,30 +58,10 @@ class NormLengths final : public TreeEdges {
   std::size_t bytes() const;
 
  private:
-  // A direction, or minus it: a direction of units_, or one turned by a quarter, and a sign.
-  struct Along {
-    std::uint8_t direction;
-    bool turned;
-    bool negative;
-    auto operator<=>(const Along&) const = default;
-  };
-  static Pair pair_of(const Form& form) {
-    return {std::min(form.from, form.to), std::max(form.from, form.to)};
-  }
-  Vector vector(const Along& along) const;
-  Query difference(Item a, Item b, bool turned) const;
-  std::int64_t by_ids(const Form& form) const;
-  PredicateId order(const Along& along) const;
-  PredicateId extents(const Along& u, const Along& v, const std::array<int, 4>& places) const;
-
-  Kernel* kernel_;
-  std::vector<Vector> units_;
+  NormOrder order_;
   std::vector<Form> forms_;  // by item
   std::map<Pair, Item> item_of_;
   std::vector<Item> free_;
-  // Bound when they are first needed.
-  mutable std::map<Along, PredicateId> orders_;
-  mutable std::map<std::tuple<Along, Along, std::array<int, 4>>, PredicateId> extents_;
 };
 
 }  // namespace kinex

@@ -2,7 +2,8 @@
 """Closest pairs on the page of `kinex view`, and lines around points.
 
 usage: view_pairs.py PROGRAM SOURCE_FOLDER
-A closest pair has the circle with both points on a diameter: no other point is in it. A pair of discs has its gap.
+A closest pair has the circle with both points on a diameter: no other point is in it. In the maximum norm two points of
+two colours have a square around the first one: no point of the other colour is in it. A pair of discs has its gap.
 Every line is in the picture. Exit code 77 (skipped) where there is no Chromium.
 """
 import json
@@ -16,6 +17,7 @@ from view_looks import Viewer
 
 PAIRS = ["closest_pair_delaunay", "closest_pair_all", "closest_pair_range_tree", "closest_pair_cones", "closest_pair_local",
          "closest_pair_bins"]
+SQUARE = "bichromatic_pair_maximum_norm"
 SHOWN = """(u => { app.setTime(u); app.draw(); const plane = app.plane, row = app.replay.row;
   return { row, positions: [...Array(OBJECTS).keys()].map(id => plane.positionOf(id)), scale: plane.scale,
     half: HALF.length > 0 ? [...HALF[0]] : [], at: row.map(id => plane.at(id)),
@@ -48,6 +50,21 @@ def check_circle(name, state, members):
         fail(f"{name}: {inside} are in the circle of {a}, {b}")
 
 
+def check_square(name, state, others):
+    """The square is around the first point, has the second on its border, and none of the second one's colour inside."""
+    a, b = state["row"]
+    sides = [s for s in state["shapes"] if "from" in s and not s.get("wide")]
+    points, middle = state["positions"], state["at"][0]
+    half = max(abs(x - y) for x, y in zip(points[a], points[b]))
+    corners = sorted(tuple((x - y) / state["scale"] for x, y in zip(side["from"], middle)) for side in sides)
+    right = sorted((x, y) for x in (-half, half) for y in (-half, half))
+    if len(corners) != 4 or any(math.dist(one, other) > 1e-6 for one, other in zip(corners, right)):
+        fail(f"{name}: the corners are {corners} around the first point, not {right}")
+    inside = [i for i in others[b] if max(abs(x - y) for x, y in zip(points[i], points[a])) < half * (1 - 1e-9)]
+    if inside:
+        fail(f"{name}: {inside} are in the square of {a}, {b}")
+
+
 def check_points(viewer):
     pictures = 0
     for dimension, names in ((2, PAIRS), (3, PAIRS[:2])):
@@ -57,11 +74,15 @@ def check_points(viewer):
         for i, one in enumerate(scene["objects"]):
             one["colour"] = ("red", "blue", "none")[i % 3]
         bichromatic = ["bichromatic_pair_delaunay", "bichromatic_pair_all"]
-        scene["maintain"] += [{"structure": name, "colours": ["red", "blue"]} for name in bichromatic]
+        squares = [SQUARE] if dimension == 2 else []
+        scene["maintain"] += [{"structure": name, "colours": ["red", "blue"]} for name in bichromatic + squares]
         (viewer.folder / "pairs.json").write_text(json.dumps(scene))
         viewer.kinex("view", "pairs.json", "-o", f"pairs-{dimension}.html")
         viewer.open(f"pairs-{dimension}.html")
         coloured = [i for i in range(12) if i % 3 != 2]
+        if dimension == 2:
+            for u in (0.05, 0.3, 0.6, 0.9):
+                check_square(SQUARE, shown(viewer, SQUARE, u), [[j for j in coloured if j % 3 == i % 3] for i in range(12)])
         for name in names + bichromatic:
             for u in (0.05, 0.5, 0.9):
                 check_circle(name, shown(viewer, name, u), coloured if name in bichromatic else range(12))

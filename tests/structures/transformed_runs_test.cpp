@@ -27,12 +27,14 @@ struct Row {
 const std::vector<Row>& table() {
   static const std::vector<Row> kRows{
       {{ask("closest_pair_delaunay"), ask("closest_pair_all"), ask("closest_pair_range_tree"),
-        ask("closest_pair_cones"), ask("closest_pair_local"), ask("closest_pair_bins")},
+        ask("closest_pair_range_tree", "cones", 4), ask("closest_pair_cones"),
+        ask("closest_pair_local"), ask("closest_pair_bins")},
        Made::kPlane,
        2},
       {{ask("closest_pair_delaunay"), ask("closest_pair_all")}, Made::kSpace},
       {{ask("bichromatic_pair_delaunay"), ask("bichromatic_pair_all")}, Made::kPlane, 2},
       {{ask("bichromatic_pair_delaunay"), ask("bichromatic_pair_all")}, Made::kSpace},
+      {{ask("bichromatic_pair_maximum_norm")}, Made::kPlane, 2},
       {{ask("emst_list"), ask("emst_cycles"), ask("emst_clusters")}, Made::kPlane, 2},
       {{ask("emst_list"), ask("emst_cycles"), ask("emst_clusters")}, Made::kSpace},
       {{ask("graph_mst_list"), ask("graph_mst_cycles"), ask("graph_mst_clusters"),

@@ -20,8 +20,8 @@ std::vector<lab::BenchRow> proximity_bench_rows(int scale) {
   rows.push_back(random_row("emst_cycles", 1, n(4000), 60'000));
   rows.push_back(random_row("closest_pair_all", 1, n(50)));
   rows.push_back(random_row("bichromatic_pair_all", 1, n(50)));
-  for (const int size : {200, 1000}) {
-    rows.push_back(random_row("closest_pair_range_tree", 1, n(size), 150'000));
+  for (const char* structure : {"closest_pair_range_tree", "bichromatic_pair_maximum_norm"}) {
+    for (const int size : {200, 1000}) rows.push_back(random_row(structure, 1, n(size), 150'000));
   }
   for (const char* structure : {"octants_listed", "octants_local", "closest_pair_cones",
                                 "closest_pair_local", "closest_pair_bins",

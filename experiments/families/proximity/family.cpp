@@ -86,9 +86,9 @@ lab::FamilyExperiments proximity_experiments() {
                             {{8, 16, 32}, {8, 16, 32, 64, 128}}});
   }
   for (const std::string_view pair :
-       {"octants_listed", "octants_local", "cones_local", "closest_pair_all", "closest_pair_range_tree",
-        "closest_pair_cones", "closest_pair_local", "closest_pair_bins",
-        "bichromatic_pair_delaunay", "bichromatic_pair_all"}) {
+       {"octants_listed", "octants_local", "cones_local", "closest_pair_all",
+        "closest_pair_range_tree", "closest_pair_cones", "closest_pair_local", "closest_pair_bins",
+        "bichromatic_pair_delaunay", "bichromatic_pair_all", "bichromatic_pair_maximum_norm"}) {
     family.trade.push_back(
         {pair, 2, {12, 24}, "pass-along-row", {4, 8}, {16, 25}, {8, 16}, {{8, 16}, {8, 16, 32}}});
   }

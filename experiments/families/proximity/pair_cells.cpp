@@ -34,26 +34,30 @@ struct Counted {
   std::uint64_t seed;
   int pair, colours, nearest;  // of the first object
   int cell;                    // likewise; -1: not in the plane
+  int maximum_norm = -1;       // of two colours; likewise
 };
 
-// All pairs of a red and a blue point are the closest in turn.
+// All pairs of a red and a blue point are the closest in turn, in either norm (pass_along_row.cpp).
 void add_colours_along_rows(lab::Catalogue& catalogue) {
-  for (const char* const structure : {"bichromatic_pair_delaunay", "bichromatic_pair_all"}) {
+  for (const std::string structure :
+       {"bichromatic_pair_delaunay", "bichromatic_pair_all", "bichromatic_pair_maximum_norm"}) {
     for (const auto& [m, n] :
          {std::pair(2, 2), std::pair(3, 2), std::pair(3, 3), std::pair(4, 3), std::pair(2, 5)}) {
       lab::Cell cell = lab::worst_case_cell(structure, "colours-along-row", n, 1, 0.1);
       cell.parameters.m = m;
-      add_counted(catalogue, std::move(cell), "bichromatic_pair.all_pairs", n * m - 1,
+      const bool maximum_norm = structure == "bichromatic_pair_maximum_norm";
+      add_counted(catalogue, std::move(cell),
+                  maximum_norm ? structure + ".all_pairs" : "bichromatic_pair.all_pairs", n * m - 1,
                   "all nm pairs of two colours are the closest in turn: nm - 1");
     }
   }
 }
 
 void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
-  for (const Counted& one : {Counted{6, 2, 1, 4, 5, 1, 4 + 5},
-                             {8, 2, 1, 5, 3, 2, 4 + 4},
-                             {10, 2, 2, 8, 6, 4, 9 + 9},
-                             {12, 2, 3, 7, 5, 3, 6 + 5},
+  for (const Counted& one : {Counted{6, 2, 1, 4, 5, 1, 4 + 5, 4},
+                             {8, 2, 1, 5, 3, 2, 4 + 4, 6},
+                             {10, 2, 2, 8, 6, 4, 9 + 9, 7},
+                             {12, 2, 3, 7, 5, 3, 6 + 5, 4},
                              {6, 3, 1, 4, 3, 1, -1},
                              {7, 3, 2, 7, 5, 3, -1},
                              {8, 3, 1, 5, 4, 1, -1}}) {
@@ -73,6 +77,8 @@ void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
       add(structure, "closest_pair.small_integers", one.pair);
     }
     add("voronoi_cell_2", "voronoi_cell.small_integers", one.cell);
+    add("bichromatic_pair_maximum_norm", "bichromatic_pair_maximum_norm.small_integers",
+        one.maximum_norm);
   }
 }
 
@@ -92,7 +98,8 @@ void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   add_pairs_of_small_integers(catalogue);
   for (const char* structure :
        {"closest_pair_all", "closest_pair_range_tree", "closest_pair_cones", "closest_pair_local",
-        "closest_pair_bins", "bichromatic_pair_all", "bichromatic_pair_delaunay", "nearest_site", "voronoi_cell_2"}) {
+        "closest_pair_bins", "bichromatic_pair_all", "bichromatic_pair_delaunay",
+        "bichromatic_pair_maximum_norm", "nearest_site", "voronoi_cell_2"}) {
     const bool all_pairs = std::string_view(structure).ends_with("_all");
     for (const int n : {16, 64, 256}) {
       if (all_pairs && n > 64) continue;

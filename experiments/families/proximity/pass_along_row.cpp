@@ -44,7 +44,9 @@ void generate_pass_along_row(const lab::WorkloadParameters& parameters, Scene& s
 
 // The same with colours: the row of m is red, the n that pass it are blue. They are in turn as long as there
 // are both, so that of as many the two colours are also the objects at even and at odd places. All nm pairs
-// are the closest of two colours in turn: nm - 1 changes.
+// are the closest of two colours in turn: nm - 1 changes. In the maximum norm the lengths are max(|x|, 1/10)
+// for the differences x along the row, of which only one is at most 1/10 at any time: as many changes, at the
+// same instants.
 void generate_colours_along_row(const lab::WorkloadParameters& parameters, Scene& scene) {
   const int n = parameters.n, m = parameters.m;
   scene.start = 0;

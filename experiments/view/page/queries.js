@@ -180,6 +180,15 @@ const OUTLINES = {
     const dots = radius > 16 ? [{ dot: p }, { dot: q }] : radius < 6 ? [{ dot: centre }] : [];
     return [{ centre, radius }, { from: p, to: q, wide: true }, ...dots];
   },
+  // Two points of different colours that are nearest in the maximum norm: the square around the first one with the second on its
+  // border has no point of the second one's colour inside.
+  square: (plane, [a, b]) => {
+    if (b === undefined) return [];
+    const p = plane.at(a), q = plane.at(b), half = Math.max(...minus(q, p).map(Math.abs));
+    const corner = i => [p[0] + (i === 1 || i === 2 ? half : -half), p[1] + (i > 1 ? half : -half)];
+    const sides = [0, 1, 2, 3].map(i => ({ from: corner(i), to: corner((i + 1) % 4) }));
+    return [...sides, { from: p, to: q, wide: true }, ...(half > 8 ? [{ dot: p }, { dot: q }] : [])];
+  },
   // Two discs with the gap between them.
   gap: (plane, [a, b]) => {
     if (b === undefined) return [];

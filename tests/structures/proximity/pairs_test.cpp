@@ -2,6 +2,8 @@
 // The closest pair and the closest pair of two colours: among Delaunay edges and among all pairs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -19,8 +21,10 @@ using Ids = std::vector<ObjectId>;
 
 std::vector<Request> pairs_in(int dimension) {
   if (dimension == 2) {
-    return {ask("closest_pair_delaunay"), ask("closest_pair_all"),   ask("closest_pair_range_tree"),
-            ask("closest_pair_cones"),    ask("closest_pair_local"), ask("closest_pair_bins")};
+    return {ask("closest_pair_delaunay"),   ask("closest_pair_all"),
+            ask("closest_pair_range_tree"), ask("closest_pair_range_tree", "cones", 4),
+            ask("closest_pair_cones"),      ask("closest_pair_local"),
+            ask("closest_pair_bins")};
   }
   if (dimension == 3) return {ask("closest_pair_delaunay"), ask("closest_pair_all")};
   return {ask("closest_pair_all")};
@@ -153,6 +157,34 @@ TEST(Pairs, EqualPointsOfBothColours) {
   // Without colours, places: 0, 2, 4, 6 against 1, 3, 5.
   const TwinRun places(scene, colours_in(2));
   EXPECT_EQ(places.attribute(), (Ids{1, 4}));
+}
+
+// In its quadrant around the first point the second one is behind the third one along x + y; turned by a half
+// turn, in the quadrant around the second point the first one is; so in the quadrants beside these.
+TEST(Pairs, SecondInItsQuadrant) {
+  const Rational tenth(Integer(1), Integer(10)), low(Integer(1), Integer(100));
+  const std::array<std::array<Rational, 2>, 4> points{{{Rational(0), Rational(0)},
+                                                       {Rational(1), tenth},
+                                                       {low, Rational(1) + Rational(4) * low},
+                                                       {Rational(-5), Rational(-9)}}};
+  for (const int across : {1, -1}) {
+    for (const int turn : {1, -1}) {
+      std::array<std::size_t, 4> order{0, 1, 2, 3};  // by id
+      do {
+        std::vector<Trajectory> t;
+        Ids pair;
+        for (ObjectId id = 0; id < 4; ++id) {
+          const auto& [x, y] = points[order[id]];
+          t.push_back(path({{Rational(across * turn) * x}, {Rational(turn) * y}}));
+          if (order[id] < 2) pair.push_back(id);
+        }
+        const TwinRun run(
+            scene_of(t, 0, Rational(1)),
+            {ask("closest_pair_range_tree"), ask("closest_pair_range_tree", "cones", 4)});
+        EXPECT_EQ(run.attribute(), pair);
+      } while (std::next_permutation(order.begin(), order.end()));
+    }
+  }
 }
 
 TEST(Pairs, NoPointToThree) {

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/proximity/cone_offers.h"
+
+#include <string>
+#include <utility>
+
+namespace kinex {
+
+// A cone by three orders, each along an axis or against it.
+struct ConeOffers::Cone {
+  OctantAxis alpha, beta, projection;
+  bool against_alpha, against_beta, against_projection;
+};
+
+// One of each two opposite ones.
+std::span<const ConeOffers::Cone> ConeOffers::cones_of(Cones cones) {
+  static constexpr Cone kOctants[] = {
+      {kAlongY, kAlongDifference, kAlongX, false, false, false},  // 0 < y < x, by x
+      {kAlongX, kAlongDifference, kAlongY, false, true, false},   // 0 < x < y, by y
+      {kAlongX, kAlongSum, kAlongY, true, false, false},          // 0 < -x < y, by y
+      {kAlongY, kAlongSum, kAlongX, false, true, true},           // 0 < y < -x, by -x
+  };
+  static constexpr Cone kQuadrants[] = {
+      {kAlongY, kAlongX, kAlongSum, false, false, false},       // 0 < x, y, by x + y
+      {kAlongY, kAlongX, kAlongDifference, false, true, true},  // 0 < -x, y, by y - x
+  };
+  if (cones == Cones::kOctants) return kOctants;
+  return kQuadrants;
+}
+
+ConeOffers::ConeOffers(Kernel& kernel, StructureId id, std::size_t objects, Cones cones,
+                       KeptPoints kept, const TwoClasses* classes, Changed changed)
+    : cones_(cones_of(cones)) {
+  for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
+    lists_.emplace_back(kernel, id, octant_axis_name(static_cast<OctantAxis>(axis)),
+                        TurnedOrder(kernel, octant_axis(static_cast<OctantAxis>(axis))), objects);
+    places_[axis].assign(objects, 0);
+  }
+  for (const Cone& cone : cones_) {
+    trees_.push_back(make_cone_pairs(
+        kept,
+        {PlacesAlong(places_[cone.alpha], cone.against_alpha),
+         PlacesAlong(places_[cone.beta], cone.against_beta),
+         PlacesAlong(places_[cone.projection], cone.against_projection)},
+        objects, classes, [changed, &cone](ObjectId looker, ObjectId seen, int change) {
+          changed({looker, seen, cone.projection, cone.against_projection}, change);
+        }));
+  }
+}
+
+// ---- trees
+
+void ConeOffers::make_trees() {
+  for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
+    std::uint32_t place = 0;
+    for (const ObjectId object : lists_[axis].items()) places_[axis][object] = place++;
+  }
+  const std::vector<ObjectId> points = lists_[kAlongX].items();
+  for (const auto& tree : trees_) tree->build(points);
+}
+
+// Two neighbours of a list have changed places.
+void ConeOffers::exchange(std::size_t list, ObjectId before, ObjectId after) {
+  std::swap(places_[list][before], places_[list][after]);
+  for (std::size_t i = 0; i < cones_.size(); ++i) {
+    if (cones_[i].alpha == list) trees_[i]->alpha_changed(before, after);
+    if (cones_[i].beta == list) trees_[i]->beta_changed(before, after);
+    if (cones_[i].projection == list) trees_[i]->projection_changed(before, after);
+  }
+}
+
+// ---- changes
+
+void ConeOffers::build(std::span<const ObjectId> objects) {
+  for (List& list : lists_) list.build({objects.begin(), objects.end()}, [](Item, Item) {});
+  make_trees();
+}
+
+void ConeOffers::rebuild() {
+  const std::vector<ObjectId> objects = lists_[kAlongX].items();
+  build(objects);
+}
+
+void ConeOffers::insert(ObjectId object) {
+  for (List& list : lists_) list.insert(object, [](Item, Item) {});
+  make_trees();
+}
+
+void ConeOffers::erase(ObjectId object) {
+  for (List& list : lists_) list.erase(object, [](Item, Item) {});
+  make_trees();
+}
+
+std::optional<ConeOffers::Exchange> ConeOffers::failed(CertificateId failed) {
+  for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
+    if (!lists_[axis].slots().owns(failed)) continue;
+    const auto [before, after] = lists_[axis].failed(failed);
+    exchange(axis, before, after);
+    return Exchange{axis, before, after};
+  }
+  return std::nullopt;
+}
+
+void ConeOffers::settle(std::size_t list, const Exchanged& exchanged) {
+  lists_[list].settle([&](Item before, Item after) {
+    exchanged(before, after);
+    exchange(list, before, after);
+  });
+}
+
+void ConeOffers::motions_changed(std::span<const ObjectId> objects, const Exchanged& exchanged) {
+  for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
+    lists_[axis].renew(objects, [&](Item before, Item after) {
+      exchanged(before, after);
+      exchange(axis, before, after);
+    });
+  }
+}
+
+// ---- checks
+
+void ConeOffers::visit_proof(ProofVisitor& visitor) const {
+  ProofGroup group;
+  std::uint64_t place = std::uint64_t{1} << 32;
+  for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
+    group.kind = "neighbours";
+    group.text = std::string("by ") + octant_axis_name(static_cast<OctantAxis>(axis));
+    lists_[axis].each_link([&](Item a, Item b, CertificateId certificate) {
+      group.about = {a, b};
+      group.place = ++place;
+      visitor.group(group);
+      visitor.certificate(certificate, "in order");
+    });
+  }
+}
+
+Integer ConeOffers::most_certificates(std::size_t n) { return counted(n == 0 ? 0 : 4 * (n - 1)); }
+
+Integer ConeOffers::most_offers(Cones cones, KeptPoints kept, std::size_t n) {
+  std::size_t depth = 0;
+  while ((std::size_t{1} << depth) < n) ++depth;
+  return counted(cones_of(cones).size() * kinex::most_offers(kept) * n * depth);
+}
+
+BoundCheck ConeOffers::bound_on_exchanges(std::string_view structure, const BoundContext& context) {
+  const auto orders = context.ledger->by_kind.find("order");
+  return at_most(std::string(structure) + ".order",
+                 "each two points change their order in each list at most d times",
+                 Integer(4 * context.degree) * pairs(counted(context.objects())),
+                 counted(orders == context.ledger->by_kind.end() ? 0 : orders->second));
+}
+
+void ConeOffers::check(AuditReport& report) const {
+  for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
+    lists_[axis].check(report, octant_axis_name(static_cast<OctantAxis>(axis)));
+    std::uint32_t place = 0;
+    for (const ObjectId object : lists_[axis].items()) {
+      report.check(places_[axis][object] == place++, [] { return "a place that is out of date"; });
+    }
+  }
+  for (const auto& tree : trees_) tree->check(report);
+}
+
+std::size_t ConeOffers::bytes() const {
+  std::size_t total = 0;
+  for (const List& list : lists_) total += list.bytes();
+  for (const auto& places : places_) total += places.capacity() * sizeof(std::uint32_t);
+  for (const auto& tree : trees_) total += tree->bytes();
+  return total;
+}
+
+}  // namespace kinex
