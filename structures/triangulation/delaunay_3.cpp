@@ -16,7 +16,8 @@ Delaunay3::Delaunay3(Kernel& kernel, StructureId id, const Scene& scene)
 std::vector<std::string_view> Delaunay3::event_kinds() const {
   return common_event_kinds({"flip_2_3", "flip_3_2", "enter", "leave", "hull_2_3", "hull_3_2",
                              "retile", "blocked", "touch", "plane_flip", "plane_enter",
-                             "plane_leave", "plane_retile", "plane_blocked", "plane_touch"});
+                             "plane_leave", "plane_retile", "plane_blocked", "plane_touch",
+                             "line_pass"});
 }
 
 // ---- certificates

@@ -34,7 +34,8 @@
 // behind it. Points that are all identically in one plane, or fewer than four, have no cells.
 //
 // In one plane. While all points are, identically, readers of edges get those of the Delaunay triangulation of
-// the plane, which may turn: flat_triangulation.h. Its events are internal, since there are no cells.
+// the plane, which may turn, and of points on one line those of neighbours: flat_triangulation.h. The events are
+// internal, since there are no cells.
 //
 // Degenerate instants: sewn_triangulation.h. What is wrong is cut out, and filled with the static
 // triangulation of its vertices.
@@ -53,6 +54,7 @@
 //   plane_flip, plane_enter, plane_leave, plane_retile, plane_blocked, plane_touch
 //              internal; all points are in one plane: as flip u v p q, enter p u v, leave p u v, retile, blocked
 //              and touch of regular_2
+//   line_pass  internal; a b: all points are on one line, and two neighbours change places
 //
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7; Joe,
 // Construction of three-dimensional Delaunay triangulations using local transformations (1991);
@@ -90,7 +92,8 @@ class Delaunay3 final : public SpaceFlips<SewnTriangulation<RegularGeometry<Spac
     kPlaneLeave,
     kPlaneRetile,
     kPlaneBlocked,
-    kPlaneTouch
+    kPlaneTouch,
+    kLinePass
   };
 
   Delaunay3(Kernel& kernel, StructureId id, const Scene& scene);
@@ -114,13 +117,13 @@ class Delaunay3 final : public SpaceFlips<SewnTriangulation<RegularGeometry<Spac
   std::size_t objects() const { return points_.objects(); }
   // The vertex for `object`: itself, or the one it is hidden behind; kNoObject: not present.
   ObjectId representative(ObjectId object) const { return points_.vertex_of(object); }
-  // The edges, smaller id first, ascending; while all points are in one plane those of its triangulation. Of
-  // points that are all on one line, or fewer than four, all pairs of vertices.
+  // The edges, smaller id first, ascending; while all points are in one plane those of its triangulation, or on
+  // one line those of neighbours there. Of fewer than four points all pairs of vertices.
   std::vector<std::array<ObjectId, 2>> edges() const;
   // The other ends of the edges at a vertex, ascending. O(k log k) for k of them.
   std::vector<ObjectId> neighbours(ObjectId vertex) const;
-  // All points are in one plane, and it has the triangulation there.
-  bool planar() const { return flat_ && plane_ != nullptr && !plane_->flat(); }
+  // All points, four or more, are in one plane, or on one line.
+  bool planar() const { return flat_ && plane_ != nullptr && !plane_->empty(); }
   // The edges that have changed since readers were told the last time, if that is one flip in the plane of
   // all points, which is no event of the attribute.
   std::optional<EdgeChange> change_within() const {

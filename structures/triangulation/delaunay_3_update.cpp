@@ -42,7 +42,7 @@ void Delaunay3::construct_plane() {
     plane_ = std::make_unique<FlatTriangulation>(
         *kernel_, id_, objects(),
         FlatTriangulation::FlatKinds{kPlaneFlip, kPlaneEnter, kPlaneLeave, kPlaneRetile,
-                                     kPlaneBlocked, kPlaneTouch});
+                                     kPlaneBlocked, kPlaneTouch, kLinePass});
   }
   plane_->build(vertices);
   corrupt_ = plane_->corrupt();

@@ -41,7 +41,9 @@ StructureInfo delaunay_in_space() {
        "at a degenerate instant in the plane of all points: no flip repairs the edge yet"},
       {"plane_touch", Effect::kNever,
        "at a degenerate instant in the plane of all points: a certificate touches zero, and holds "
-       "again"}};
+       "again"},
+      {"line_pass", Effect::kNever,
+       "all points are on one line, and two neighbours change places"}};
   info.fails_at_touch = true;
   info.certificates =
       "at most (n + 1)(n - 2), one for each facet, those with the vertex at infinity included";

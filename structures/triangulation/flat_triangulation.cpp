@@ -14,7 +14,8 @@ FlatTriangulation::FlatTriangulation(Kernel& kernel, StructureId id, std::size_t
           kernel, id, objects,
           RegularGeometry<PlaneComplex>(kernel, kAxisPairs[0], static_cast<ObjectId>(objects)),
           "edges", Kinds{kinds.retile, kinds.blocked, kinds.touch}),
-      kinds_(kinds) {
+      kinds_(kinds),
+      line_(kernel, id, "line", AlongLine{}) {
   geometries_[0] = geometry_;
 }
 
@@ -42,6 +43,7 @@ void FlatTriangulation::set_certificate(Facet f) {
 void FlatTriangulation::certificate_failed(CertificateId failed) {
   change_.reset();
   if (corrupt_) return;
+  if (line_.slots().owns(failed)) return pass(failed);
   const Facet f = facets_.failed(failed);
   if (stands_upright())
     return rebuild_because("in projection all points of the plane are on one line");
@@ -54,8 +56,19 @@ void FlatTriangulation::certificate_failed(CertificateId failed) {
   }
 }
 
-// At now itself no triangle has an area in projection. Two triangles of the hull fail or touch zero then,
-// so that the instant is shared.
+void FlatTriangulation::pass(CertificateId failed) {
+  if (!stale_ && stands_upright()) {
+    return rebuild_because("in projection all points of the line are at one place");
+  }
+  ++passes_;
+  const auto [before, after] = line_.failed(failed);
+  line_.settle(kNoReport);
+  kernel_->report(id_, kinds_.pass, {before, after}, false);
+  kernel_->report_changed_within(id_);
+}
+
+// At now itself no triangle has an area in projection, no link a length. Two triangles of the hull, or two
+// links, fail or touch zero then, so that the instant is shared.
 bool FlatTriangulation::stands_upright() {
   if (!kernel_->tells_sign_now() || !kernel_->instant_is_shared(id_)) return false;
   if (looked_at_ == kernel_->instant_number()) return false;
@@ -65,7 +78,11 @@ bool FlatTriangulation::stands_upright() {
     const Query orientation = geometry_.orientation_claim(store_.corners(t));
     if (kernel_->sign(orientation, When::kNow) != Sign::kZero) return false;
   }
-  return true;
+  bool all = true;
+  line_.each_link([&](ObjectId a, ObjectId b, CertificateId) {
+    all = all && kernel_->sign(line_.claims().claim(a, b), When::kNow) == Sign::kZero;
+  });
+  return all;
 }
 
 // ---- construction
@@ -83,8 +100,10 @@ void FlatTriangulation::build(std::span<const ObjectId> vertices) {
 
 void FlatTriangulation::construct() {
   drop_all_certificates();
+  line_.clear();
   forget_instant();
   change_.reset();
+  stale_ = false;
   hint_ = kNone;
   StaticResult built = StaticResult::kFlat;
   for (std::size_t pair = 0; pair < kAxisPairs.size() && built == StaticResult::kFlat; ++pair) {
@@ -98,6 +117,17 @@ void FlatTriangulation::construct() {
     return give_up("the static construction found no place for a point of a plane");
   }
   certify_everything();
+  if (flat_) construct_line();
+}
+
+// The points are on one line.
+void FlatTriangulation::construct_line() {
+  if (vertices_.size() < 2) return;
+  for (const PredicateId order : {on_axes(0).order(0), on_axes(0).order(1), on_axes(1).order(1)}) {
+    line_.claims().order = order;
+    if (kernel_->sign_after(order, {vertices_[0], vertices_[1]}) != Sign::kZero) break;
+  }
+  line_.build({vertices_.begin(), vertices_.end()}, kNoReport);
 }
 
 StaticResult FlatTriangulation::build_patch(std::span<const ObjectId> vertices) {
@@ -105,6 +135,7 @@ StaticResult FlatTriangulation::build_patch(std::span<const ObjectId> vertices) 
 }
 
 void FlatTriangulation::let_go() {
+  stale_ = true;
   change_.reset();
   drop_all_certificates();
 }
@@ -156,12 +187,21 @@ std::vector<std::array<ObjectId, 2>> FlatTriangulation::edges() const {
     const ObjectId a = store_.origin(h), b = store_.target(h);
     if (a < b && b != store_.infinity()) result.push_back({a, b});
   }
+  line_.each_link([&result](ObjectId a, ObjectId b, CertificateId) {
+    result.push_back({std::min(a, b), std::max(a, b)});
+  });
   std::sort(result.begin(), result.end());
   return result;
 }
 
 std::vector<ObjectId> FlatTriangulation::neighbours(ObjectId vertex) const {
   std::vector<ObjectId> result;
+  if (line_.size() != 0 && std::binary_search(vertices_.begin(), vertices_.end(), vertex)) {
+    for (const ObjectId beside : {line_.previous(vertex), line_.next(vertex)}) {
+      if (beside != kNoItem) result.push_back(beside);
+    }
+    std::sort(result.begin(), result.end());
+  }
   if (!store_.has(vertex)) return result;
   const HalfEdge first = store_.out(vertex);
   HalfEdge at = first;
@@ -193,10 +233,16 @@ void FlatTriangulation::visit_proof(ProofVisitor& visitor) const {
                                          : on_hull   ? "the third vertex is inside"
                                                      : "the circle is empty");
   }
+  line_.each_link([&](ObjectId a, ObjectId b, CertificateId certificate) {
+    group.kind = "neighbours on a line";
+    group.about = {std::min(a, b), std::max(a, b)};
+    visitor.group(group);
+    visitor.certificate(certificate, "in order along the line");
+  });
 }
 
 std::size_t FlatTriangulation::bytes() const {
-  return sizeof(*this) + common_bytes() + vertices_.capacity() * sizeof(ObjectId);
+  return sizeof(*this) + common_bytes() + line_.bytes() + vertices_.capacity() * sizeof(ObjectId);
 }
 
 }  // namespace kinex

@@ -25,7 +25,12 @@
 //
 // Cost: O(n log n) for points that come or go, and for new motions: everything is built anew. A flip makes 5
 // certificates. 3n - 3 certificates; 4d C(n,4) + 2d C(n,3) instants at most, 8d C(n,4) + 6d C(n,3) with ties
-// that last. Points identically on one line have no triangles and no certificates.
+// that last.
+//
+// Points that are all identically on one line are a chain along it (KineticList), by the order on the first axis
+// that is not identically at right angles to the line: n - 1 certificates of degree d, d C(n,2) passes at most.
+// A pass makes 3 certificates. Where the line is at right angles to that axis at an instant, or all points
+// meet, the chain is built anew, as the triangulation is.
 #ifndef KINEX_STRUCTURES_TRIANGULATION_FLAT_TRIANGULATION_H
 #define KINEX_STRUCTURES_TRIANGULATION_FLAT_TRIANGULATION_H
 
@@ -37,6 +42,7 @@
 #include <string_view>
 #include <vector>
 
+#include "structures/parts/kinetic_list.h"
 #include "structures/triangulation/plane_flips.h"
 #include "structures/triangulation/regular_geometry.h"
 #include "structures/triangulation/sewn_triangulation.h"
@@ -53,7 +59,7 @@ class FlatTriangulation final
  public:
   // The ranks of its kinds of events.
   struct FlatKinds {
-    std::uint8_t flip, enter, leave, retile, blocked, touch;
+    std::uint8_t flip, enter, leave, retile, blocked, touch, pass;
   };
 
   // A part "edges" of the structure `id`; `objects`: the number of the scene's.
@@ -67,7 +73,9 @@ class FlatTriangulation final
   void clear() { build({}); }
   // New motions: it is to be built anew when the instant is settled.
   void let_go();
-  bool owns(CertificateId certificate) const { return facets_.owns(certificate); }
+  bool owns(CertificateId certificate) const {
+    return facets_.owns(certificate) || line_.slots().owns(certificate);
+  }
   void certificate_failed(CertificateId failed) override;
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
@@ -80,21 +88,34 @@ class FlatTriangulation final
 
   bool corrupt() const { return corrupt_; }
   // The number of certificates that it should have.
-  std::size_t wanted() const { return 3 * store_.triangles() / 2; }
+  std::size_t wanted() const {
+    return 3 * store_.triangles() / 2 + (line_.size() == 0 ? 0 : line_.size() - 1);
+  }
+  bool empty() const { return vertices_.empty(); }
   // What it has changed in its last call, if that was one flip.
   const std::optional<EdgeChange>& change() const { return change_; }
   void forget_change() { change_.reset(); }
-  // The edges, smaller id first, ascending. Requires !flat().
+  // The edges, smaller id first, ascending.
   std::vector<std::array<ObjectId, 2>> edges() const;
-  // The other ends of the edges at a vertex, ascending. Requires !flat().
+  // The other ends of the edges at a vertex, ascending.
   std::vector<ObjectId> neighbours(ObjectId vertex) const;
 
  private:
+  struct AlongLine {
+    PredicateId order = 0;
+    Query claim(ObjectId a, ObjectId b) const { return Query(order, {a, b}); }
+    bool goes_first(ObjectId a, ObjectId b) const { return a < b; }
+  };
+  // Of distinct points there are no ties, but while motions change.
+  static constexpr auto kNoReport = [](ObjectId, ObjectId) {};
+
   const RegularGeometry<PlaneComplex>& on_axes(std::size_t pair);
   bool stands_upright();
 
   void set_certificate(Facet f) override;
   void construct() override;
+  void construct_line();
+  void pass(CertificateId failed);
   StaticResult build_patch(std::span<const ObjectId> vertices) override;
   void filled(const std::vector<Simplex>&, const std::vector<Simplex>&) override {}
   void settle_hidden() override {}
@@ -107,11 +128,13 @@ class FlatTriangulation final
   std::array<std::optional<RegularGeometry<PlaneComplex>>, 3>
       geometries_;        // that were needed so far
   std::size_t pair_ = 0;  // the axes in use, of kAxisPairs
+  KineticList<AlongLine> line_;
+  bool stale_ = false;  // motions have changed: let_go()
   std::optional<EdgeChange> change_;
   std::uint64_t looked_at_ =
       0;                    // the number of the last instant at which it could have been upright
   std::uint64_t ties_ = 0;  // certificates of ties that were made
-  std::uint64_t flips_ = 0;
+  std::uint64_t flips_ = 0, passes_ = 0;
 };
 
 }  // namespace kinex

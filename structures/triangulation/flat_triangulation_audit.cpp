@@ -55,6 +55,18 @@ bool inside_by_ties(const AxisPair& axes, const std::vector<Point>& points, cons
   return true;
 }
 
+// Smaller id first, ascending.
+std::vector<std::array<ObjectId, 2>> edges_of(const Witness& witness) {
+  std::vector<std::array<ObjectId, 2>> result;
+  for (auto e = witness.finite_edges_begin(); e != witness.finite_edges_end(); ++e) {
+    const ObjectId a = e->first->vertex(e->second)->info();
+    const ObjectId b = e->first->vertex(e->third)->info();
+    result.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 }  // namespace
 
 std::vector<BoundCheck> FlatTriangulation::bounds(const BoundContext& context) const {
@@ -64,6 +76,9 @@ std::vector<BoundCheck> FlatTriangulation::bounds(const BoundContext& context) c
     return checks;
   }
   const Integer n = counted(context.objects()), d(context.degree);
+  checks.push_back(at_most("delaunay_3.line_events",
+                           "two points on a line pass each other at most d times: d C(n,2)",
+                           d * binomial(n, 2), counted(passes_)));
   const Integer quads = binomial(n, 4), triples = binomial(n, 3);
   if (ties_ != 0) {
     checks.push_back(
@@ -88,6 +103,9 @@ void FlatTriangulation::check_invariants(AuditReport& report) const {
                [] { return std::string("triangles of the plane that were not reported"); });
   report.check(flat_ ? store_.triangles() == 0 : store_.vertices() == vertices_.size(),
                [] { return std::string("the triangulation of the plane lacks a vertex"); });
+  report.check(line_.size() == (flat_ && vertices_.size() > 1 ? vertices_.size() : 0),
+               [] { return std::string("the chain lacks a point"); });
+  line_.check(report, "the chain");
   const std::string defect = store_.defect();
   report.check(defect.empty(), [&] { return defect; });
   if (!defect.empty()) return;
@@ -145,6 +163,9 @@ void FlatTriangulation::audit(const Snapshot& snapshot, AuditReport& report) con
   const Witness witness(input.begin(), input.end());
   if (flat_) {
     report.check(witness.dimension() < 2, [] { return std::string("not on one line"); });
+    if (witness.number_of_vertices() != input.size()) return;  // two points touch
+    report.check(edges() == edges_of(witness),
+                 [] { return std::string("other neighbours on the line than the witness"); });
     return;
   }
   report.check(witness.dimension() < 3, [] { return std::string("not in one plane"); });
@@ -162,13 +183,7 @@ void FlatTriangulation::audit(const Snapshot& snapshot, AuditReport& report) con
     const auto corner = [&](int i) -> const Point& { return f->first->vertex(i)->point(); };
     whole += CGAL::abs(area(axes, corner(0), corner(1), corner(2)));
   }
-  std::vector<std::array<ObjectId, 2>> theirs;
-  for (auto e = witness.finite_edges_begin(); e != witness.finite_edges_end(); ++e) {
-    const auto [low, high] =
-        std::minmax(e->first->vertex(e->second)->info(), e->first->vertex(e->third)->info());
-    theirs.push_back({low, high});
-  }
-  std::sort(theirs.begin(), theirs.end());
+  const std::vector<std::array<ObjectId, 2>> theirs = edges_of(witness);
   bool flat = false, ties = false;
   CGAL::Sign side = CGAL::ZERO;  // of the plane, from which triangles are counter-clockwise
   const bool all_points = vertices_.size() <= 24;

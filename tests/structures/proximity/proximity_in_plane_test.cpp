@@ -124,6 +124,15 @@ TEST(ProximityInPlane, ThePlaneTurns) {
   expect_the_same(flat, kTurning);
 }
 
+TEST(ProximityInPlane, OneLine) {
+  Scene flat = reference_scene(7, 2, 2);
+  for (SceneObject& object : flat.objects) {
+    auto& axes = object.motion.pieces[0].trajectory.coordinates;
+    axes[1] = axes[0];
+  }
+  expect_the_same(flat, kOblique);
+}
+
 TEST(ProximityInPlane, RandomFlights) {
   for (std::uint64_t seed = 1; seed <= test::fewer(4u); ++seed) {
     SCOPED_TRACE(seed);
