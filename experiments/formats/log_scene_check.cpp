@@ -294,6 +294,13 @@ std::shared_ptr<const Predicate> LogSceneCheck::make_predicate(const std::string
   if (name == "orientation_3") return make_orientation_3();
   if (name == "in_sphere_3") return make_in_sphere_3();
   if (name == "unfolded_3") return make_unfolded_3();
+  if (name == "obtuse_angle_3") return make_obtuse_angle_3();
+  for (const auto& [first, second] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+    for (const auto& of_plane :
+         {make_projected_orientation(first, second), make_in_circle_lifted(first, second)}) {
+      if (of_plane->name() == name) return of_plane;
+    }
+  }
   if (name == "acute_angle_2") return make_acute_angle_2();
   if (name == "obtuse_angle_2") return make_obtuse_angle_2();
   if (name == "edge_dot_2") return make_edge_dot_2();

@@ -19,9 +19,9 @@ from subsets import own_objects
 from world import World
 
 # After these, certificates of a structure may be negative since they were made, without passing through zero.
-UNSETTLING = ("blocked", "reinsert", "settled", "rebuild")
+UNSETTLING = ("blocked", "plane_blocked", "reinsert", "settled", "rebuild")
 # An instant with one of these is degenerate: its structure may have made such certificates before that, too.
-REARRANGING = ("blocked", "reinsert", "rebuild")
+REARRANGING = ("blocked", "plane_blocked", "reinsert", "rebuild")
 
 
 class Checker:

@@ -7,6 +7,7 @@ points[i][axis]. ALTERNATING is the number of leading arguments whose exchange c
 
 from math import gcd, lcm
 
+from plane_predicates import difference_3, obtuse_angle_3, of_planes, unfolded_3
 from polynomials import add, multiply, scaled, subtract
 
 
@@ -115,10 +116,6 @@ def in_circle_2(points):
 
     return add(add(multiply(lifted(u), cross(v, w)), multiply(lifted(v), cross(w, u))),
                multiply(lifted(w), cross(u, v)))
-
-
-def difference_3(a, b):
-    return tuple(subtract(x, y) for x, y in zip(a[:3], b[:3]))
 
 
 def triple_product(u, v, w):
@@ -301,20 +298,6 @@ def disc_power_3(points):
     return power_in_space(points, [multiply(p.extents[0], p.extents[0]) for p in points])
 
 
-def unfolded_3(points):
-    """The half-planes of the first and of the last point, at the line of the others, make an obtuse angle."""
-    p, u, v, q = points
-    edge, one, other = ([subtract(w[axis], u[axis]) for axis in range(3)] for w in (v, p, q))
-
-    def dot(a, b):
-        total = ()
-        for x, y in zip(a, b):
-            total = add(total, multiply(x, y))
-        return total
-
-    return subtract(multiply(dot(edge, one), dot(edge, other)), multiply(dot(edge, edge), dot(one, other)))
-
-
 def line_side(points):
     """The point is above the line y = a x + b, a and b its axes; the third argument is the unit."""
     (a, b), (x, y), unit = points
@@ -362,6 +345,8 @@ FORMULAS = {
     "power_3": (power_3, 5, 5),
     "disc_power_3": (disc_power_3, 5, 5),
     "unfolded_3": (unfolded_3, 4, 1),
+    "obtuse_angle_3": (obtuse_angle_3, 3, 1),
+    **of_planes(),
     "line_side": (line_side, 2, 1),
     "line_under": (line_under, 2, 1),
     "line_order": (line_order, 3, 2),
@@ -393,6 +378,7 @@ BOX_ORDERS = {"order_box_area": "area", "order_box_perimeter": "perimeter"}
 # Axes that an argument must have.
 LEAST_AXES = {"order_y": 2, "order_z": 3, "orientation_2": 2, "slope_order_2": 2, "in_circle_2": 2, "power_2": 2, "disc_power_2": 2,
               "orientation_3": 3, "in_sphere_3": 3, "power_3": 3, "disc_power_3": 3, "unfolded_3": 3,
+              "obtuse_angle_3": 3, **{name: 3 for name in of_planes()},
               "acute_angle_2": 2, "obtuse_angle_2": 2, "line_side": 2, "line_under": 2, "line_order": 2,
               "order_line_height": 2, "order_line_distance": 2,
               **{name: axis + 1 for axis in (1, 2) for name in end_orders(axis)}}

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "core/arithmetic/predicate_formula.h"
+#include "core/arithmetic/touch.h"
 #include "predicates/points/space_predicates.h"
 
 namespace kinex {
@@ -40,14 +41,27 @@ struct ProjectedOrientation {
   }
 };
 
-}  // namespace
+class TouchingProjectedOrientation final : public FormulaPredicate<ProjectedOrientation>,
+                                           public FailsAtTouch {
+ public:
+  using FormulaPredicate<ProjectedOrientation>::FormulaPredicate;
+};
 
-std::shared_ptr<const Predicate> make_projected_orientation(int first, int second) {
+ProjectedOrientation orientation_on_axes(int first, int second) {
   if (first < 0 || second <= first || second > 2) {
     throw std::invalid_argument("a projection needs two axes of space");
   }
-  return std::make_shared<FormulaPredicate<ProjectedOrientation>>(
-      ProjectedOrientation{first, second});
+  return {first, second};
+}
+
+}  // namespace
+
+std::shared_ptr<const Predicate> make_projected_orientation(int first, int second) {
+  return std::make_shared<FormulaPredicate<ProjectedOrientation>>(orientation_on_axes(first, second));
+}
+
+std::shared_ptr<const Predicate> make_projected_orientation_touch(int first, int second) {
+  return std::make_shared<TouchingProjectedOrientation>(orientation_on_axes(first, second));
 }
 
 }  // namespace kinex

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Predicates on points in space: the side of a plane, and the side of a sphere. The terms are those
-// of predicates/predicates.h.
+// Predicates on points in space: the side of a plane, the side of a sphere, and those of points that are in
+// one plane. The terms are those of predicates/predicates.h.
 #ifndef KINEX_PREDICATES_POINTS_SPACE_PREDICATES_H
 #define KINEX_PREDICATES_POINTS_SPACE_PREDICATES_H
 
@@ -44,6 +44,28 @@ std::shared_ptr<const Predicate> make_unfolded_3();
 // predicates are zero. Degree 2 in the coordinates; throws std::invalid_argument for other axes.
 //   (1) alternating in all three
 std::shared_ptr<const Predicate> make_projected_orientation(int first, int second);
+// The same polynomial under the same name, for certificates that fail at touches, too.
+std::shared_ptr<const Predicate> make_projected_orientation_touch(int first, int second);
+
+// in_circle_lifted(a, b, c, e): for points of one plane twice the determinant with rows
+// (u, v, x^2 + y^2 + z^2) of a - e, b - e, c - e on two axes u < v of space (named in_circle_xy, in_circle_xz, in_circle_yz). For four points of one plane
+// whose projections on these axes are not on one line, and a, b, c counter-clockwise in projection, positive
+// iff e lies strictly inside the circle through a, b, c. Degree 4 in the coordinates; throws
+// std::invalid_argument for other axes.
+//   (1) alternating in all four
+//   (2) zero if two arguments are equal
+//   (3) unchanged by a common translation
+//   (4) on x and y: twice in_circle_2 if all points have the same z
+std::shared_ptr<const Predicate> make_in_circle_lifted(int first, int second);
+// The same polynomial under the same name, for certificates that fail at touches, too.
+std::shared_ptr<const Predicate> make_in_circle_lifted_touch(int first, int second);
+
+// obtuse_angle_3(a, b, c) = (a - b) . (b - c): positive iff the angle at b is obtuse; for points on one line,
+// iff b is strictly between the others. Degree 2 in the coordinates.
+//   (1) unchanged if a and c are exchanged
+//   (2) zero if b is equal to a or c
+//   (3) unchanged by a common translation
+std::shared_ptr<const Predicate> make_obtuse_angle_3();
 
 }  // namespace kinex
 

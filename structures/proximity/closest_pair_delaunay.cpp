@@ -31,11 +31,10 @@ void ClosestPairDelaunay::begin() {
   events_.begin(closest());
 }
 
-// All edges are read after an event that does not change single edges or contradicts the edges known.
+// All edges are read after a change that does not change single edges or contradicts the edges known.
 // A change of the closest pair is reported when the instant is over, for certificates of this
 // structure may fail at the same instant.
-void ClosestPairDelaunay::watched_changed(const Event* event) {
-  const auto change = event == nullptr ? std::nullopt : counted_.change(*event);
+void ClosestPairDelaunay::follow(const std::optional<DelaunayEdgeChange>& change) {
   const bool followed = change && (!change->gone || edges_.go(*change->gone)) &&
                         (!change->came || edges_.come(*change->came));
   if (!followed) edges_.assign(counted_.all());

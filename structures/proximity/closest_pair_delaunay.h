@@ -63,10 +63,10 @@ class ClosestPairDelaunay final : public Structure {
   }
   // The triangulation may have changes that it has not reported yet.
   void instant_settled() override {
-    if (kernel_->instant_is_shared(counted_.graph().id())) watched_changed(nullptr);
+    if (kernel_->instant_is_shared(counted_.graph().id())) follow(std::nullopt);
   }
   void instant_over() override { events_.over(closest()); }
-  void watched_changed(const Event* event) override;
+  void watched_changed(const Event* event) override { follow(counted_.told(event)); }
   Attribute attribute() const override {
     return {Attribute::Shape::kTuples, {closest().begin(), closest().end()}};
   }
@@ -80,6 +80,7 @@ class ClosestPairDelaunay final : public Structure {
  private:
   std::span<const ObjectId> closest() const;
   void begin();
+  void follow(const std::optional<DelaunayEdgeChange>& change);
 
   Kernel* kernel_;
   StructureId id_;

@@ -11,8 +11,8 @@ std::vector<DelaunayEdge> CountedEdges::all() const {
   return edges;
 }
 
-std::optional<DelaunayEdgeChange> CountedEdges::change(const Event& event) const {
-  std::optional<DelaunayEdgeChange> change = graph_.change(event);
+std::optional<DelaunayEdgeChange> CountedEdges::told(const Event* event) const {
+  std::optional<DelaunayEdgeChange> change = graph_.told(event);
   if (!change) return change;
   for (std::optional<DelaunayEdge>* const edge : {&change->gone, &change->came}) {
     if (*edge && !counts((**edge)[0], (**edge)[1])) edge->reset();

@@ -17,10 +17,7 @@ namespace kinex {
 
 using DelaunayEdge = std::array<ObjectId, 2>;  // ids, ascending
 
-// A change of one or two edges, or of none.
-struct DelaunayEdgeChange {
-  std::optional<DelaunayEdge> gone, came;
-};
+using DelaunayEdgeChange = EdgeChange;
 
 // A Delaunay triangulation, in the plane or in space, as a graph.
 class DelaunayGraph {
@@ -51,6 +48,12 @@ class DelaunayGraph {
   // The change that an external event of the triangulation states; nullopt if it has to be read off
   // the triangulation.
   std::optional<DelaunayEdgeChange> change(const Event& event) const;
+  // The same of what a reader is told, which is no event if the triangulation has changed within.
+  // For watched_changed alone.
+  std::optional<DelaunayEdgeChange> told(const Event* event) const {
+    if (event != nullptr) return change(*event);
+    return in_space_ != nullptr ? in_space_->change_within() : std::nullopt;
+  }
   // The largest number of edges that n points can have: 3n - 6 in the plane, all pairs in space.
   std::size_t most_edges(std::size_t n) const;
 

@@ -61,8 +61,7 @@ void DelaunayTree::rebuild() {
 }
 
 // At an instant with several changes, the triangulation is read when it is settled.
-void DelaunayTree::watched_changed(const Event* event) {
-  const auto change = event == nullptr ? std::nullopt : triangulation_.change(*event);
+void DelaunayTree::follow(const std::optional<DelaunayEdgeChange>& change) {
   if (change && kernel_->instant_is_shared(triangulation_.id())) {
     return events_.settle_later();
   }

@@ -78,10 +78,10 @@ class DelaunayTree final : public Structure {
   }
   // The triangulation may have changes that it has not reported yet.
   void instant_settled() override {
-    if (kernel_->instant_is_shared(triangulation_.id())) watched_changed(nullptr);
+    if (kernel_->instant_is_shared(triangulation_.id())) follow(std::nullopt);
   }
   void instant_over() override { events_.over(); }
-  void watched_changed(const Event* event) override;
+  void watched_changed(const Event* event) override { follow(triangulation_.told(event)); }
   Attribute attribute() const override;
   Attribute told() const override { return events_.told(attribute()); }
   void visit_proof(ProofVisitor& visitor) const override { engine_->visit_proof(visitor); }
@@ -98,6 +98,7 @@ class DelaunayTree final : public Structure {
   void add(const Edge& edge);
   void remove(const Edge& edge);
   void assign();
+  void follow(const std::optional<DelaunayEdgeChange>& change);
   void begin();
 
   Kernel* kernel_;

@@ -120,14 +120,13 @@ void NearestSite::motions_changed(std::span<const ObjectId> objects) {
 
 // A change of the nearest site is reported when the instant is over, for certificates of this
 // structure may fail at the same instant.
-void NearestSite::watched_changed(const Event* event) {
+void NearestSite::follow(const std::optional<DelaunayEdgeChange>& change) {
   if (site_ == kNoObject) return;
-  if (event != nullptr) {
-    const auto change = triangulation_.change(*event);
+  if (change) {
     const auto touches = [this](const std::optional<DelaunayEdge>& edge) {
       return edge && ((*edge)[0] == site_ || (*edge)[1] == site_);
     };
-    if (change && !touches(change->gone) && !touches(change->came)) return;
+    if (!touches(change->gone) && !touches(change->came)) return;
   }
   const ObjectId vertex = triangulation_.representative(site_);
   if (vertex == kNoObject) return begin();  // it has been erased

@@ -13,8 +13,8 @@
 //
 // Quality, for n sites: as many certificates as s has neighbours, at most n - 1, and in the plane fewer
 // than 6 on average over the sites; the query is in all of them. A failure makes the certificates of
-// another star; a flip renews at most two. Where all sites are in one plane in space, every other site
-// counts as a neighbour. Strongly efficient: each failure changes the nearest site, save those of one
+// another star; a flip renews at most two. Strongly efficient: each failure changes the nearest site, save
+// those of one
 // instant. External events: those of minimum_tournament by the squared distance to q,
 // at most lambda_2d(n) - 1 without flight-plan changes: 2n - 2 for linear motion. An insertion or
 // erasure walks to the nearest site, to ever smaller distances.
@@ -61,10 +61,10 @@ class NearestSite final : public Structure {
   void motions_changed(std::span<const ObjectId> objects) override;
   // The triangulation may have changes that it has not reported yet.
   void instant_settled() override {
-    if (kernel_->instant_is_shared(triangulation_.id())) watched_changed(nullptr);
+    if (kernel_->instant_is_shared(triangulation_.id())) follow(std::nullopt);
   }
   void instant_over() override { events_.over(site_); }
-  void watched_changed(const Event* event) override;
+  void watched_changed(const Event* event) override { follow(triangulation_.told(event)); }
   Attribute attribute() const override;
   Attribute told() const override { return events_.told(); }
   void visit_proof(ProofVisitor& visitor) const override;
@@ -80,6 +80,7 @@ class NearestSite final : public Structure {
   bool in_front(ObjectId a, ObjectId b) const;
   void walk(ObjectId from);
   void prove();
+  void follow(const std::optional<DelaunayEdgeChange>& change);
   void settle_ties();
   void begin();
 

@@ -15,7 +15,9 @@ Delaunay3::Delaunay3(Kernel& kernel, StructureId id, const Scene& scene)
 
 std::vector<std::string_view> Delaunay3::event_kinds() const {
   return common_event_kinds({"flip_2_3", "flip_3_2", "enter", "leave", "hull_2_3", "hull_3_2",
-                             "retile", "blocked", "touch"});
+                             "retile", "blocked", "touch", "plane_flip", "plane_enter",
+                             "plane_leave", "plane_retile", "plane_blocked", "plane_touch",
+                             "line_pass"});
 }
 
 // ---- certificates
@@ -66,6 +68,7 @@ void Delaunay3::set_tie(Facet f) {
 
 void Delaunay3::certificate_failed(CertificateId failed) {
   if (corrupt_) return;
+  if (plane_ != nullptr && plane_->owns(failed)) return plane_->certificate_failed(failed);
   const Facet f = facets_.failed(failed);
   if (touched(f)) return;
   note_change(points_of(f));
@@ -75,6 +78,7 @@ void Delaunay3::certificate_failed(CertificateId failed) {
 // ---- what there is
 
 std::vector<std::array<ObjectId, 2>> Delaunay3::edges() const {
+  if (planar()) return plane_->edges();
   std::vector<std::array<ObjectId, 2>> result;
   if (flat_) {
     for (ObjectId a = 0; a < objects(); ++a) {
@@ -100,6 +104,7 @@ std::vector<std::array<ObjectId, 2>> Delaunay3::edges() const {
 }
 
 std::vector<ObjectId> Delaunay3::neighbours(ObjectId vertex) const {
+  if (planar()) return plane_->neighbours(vertex);
   std::vector<ObjectId> result;
   if (flat_) {
     for (ObjectId other = 0; other < objects(); ++other) {
@@ -120,6 +125,7 @@ std::vector<ObjectId> Delaunay3::neighbours(ObjectId vertex) const {
 
 std::size_t Delaunay3::bytes() const {
   return sizeof(*this) + common_bytes() + points_.bytes() +
+         (plane_ == nullptr ? 0 : plane_->bytes()) +
          hidden_in_patch_.capacity() * sizeof(hidden_in_patch_[0]);
 }
 

@@ -24,6 +24,7 @@
 //   locality        not local
 //   responsiveness  a flip, 9 or 7 certificates
 //   efficiency      every event but `blocked` and `touch`, at degenerate instants, changes cells (ratio 1)
+//   in one plane    3n - 3 certificates, 5 for a flip; at most 4d C(n,4) + 2d C(n,3) flips
 // Events: each in_sphere_3 changes sign at most 5d times, each orientation_3 3d times: at most
 // 5d C(n,5) + 3d C(n,4) instants; with ties that last at most 15d C(n,5) + 24d C(n,4). Growth
 // O(n^3 lambda_s(n)).
@@ -31,6 +32,10 @@
 // Ties. The triangulation right after an instant depends on the points' motions and ids alone: see
 // lifted_geometry.h. Of identically equal points the smallest id is the vertex; the others are hidden
 // behind it. Points that are all identically in one plane, or fewer than four, have no cells.
+//
+// In one plane. While all points are, identically, readers of edges get those of the Delaunay triangulation of
+// the plane, which may turn, and of points on one line those of neighbours: flat_triangulation.h. The events are
+// internal, since there are no cells.
 //
 // Degenerate instants: sewn_triangulation.h. What is wrong is cut out, and filled with the static
 // triangulation of its vertices.
@@ -46,6 +51,10 @@
 //   blocked    internal
 //   touch      internal; u v w p: p is in the plane of the hull facet u v w, or that is flat;
 //              a b c d e: five points are on one sphere
+//   plane_flip, plane_enter, plane_leave, plane_retile, plane_blocked, plane_touch
+//              internal; all points are in one plane: as flip u v p q, enter p u v, leave p u v, retile, blocked
+//              and touch of regular_2
+//   line_pass  internal; a b: all points are on one line, and two neighbours change places
 //
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7; Joe,
 // Construction of three-dimensional Delaunay triangulations using local transformations (1991);
@@ -55,6 +64,8 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -62,6 +73,7 @@
 
 #include "core/motion/scene.h"
 #include "structures/triangulation/equal_points.h"
+#include "structures/triangulation/flat_triangulation.h"
 #include "structures/triangulation/sewn_triangulation.h"
 #include "structures/triangulation/space_flips.h"
 #include "structures/triangulation/static_delaunay_3.h"
@@ -71,7 +83,18 @@ namespace kinex {
 class Delaunay3 final : public SpaceFlips<SewnTriangulation<RegularGeometry<SpaceComplex>>> {
  public:
   // Kinds of events and their ids: see above. First those of space_flips.h.
-  enum Kind : std::uint8_t { kRetile = kSpaceFlips, kBlocked, kTouch };
+  enum Kind : std::uint8_t {
+    kRetile = kSpaceFlips,
+    kBlocked,
+    kTouch,
+    kPlaneFlip,
+    kPlaneEnter,
+    kPlaneLeave,
+    kPlaneRetile,
+    kPlaneBlocked,
+    kPlaneTouch,
+    kLinePass
+  };
 
   Delaunay3(Kernel& kernel, StructureId id, const Scene& scene);
 
@@ -82,21 +105,30 @@ class Delaunay3 final : public SpaceFlips<SewnTriangulation<RegularGeometry<Spac
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
+  void instant_settled() override;
   void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  bool holds_at(const Snapshot& snapshot) const override;
   std::size_t bytes() const override;
 
   // The number of the scene's objects, alive or not.
   std::size_t objects() const { return points_.objects(); }
   // The vertex for `object`: itself, or the one it is hidden behind; kNoObject: not present.
   ObjectId representative(ObjectId object) const { return points_.vertex_of(object); }
-  // The edges, smaller id first, ascending; if it is flat all pairs of vertices, which contain every
-  // edge that a triangulation of the plane could have.
+  // The edges, smaller id first, ascending; while all points are in one plane those of its triangulation, or on
+  // one line those of neighbours there. Of fewer than four points all pairs of vertices.
   std::vector<std::array<ObjectId, 2>> edges() const;
   // The other ends of the edges at a vertex, ascending. O(k log k) for k of them.
   std::vector<ObjectId> neighbours(ObjectId vertex) const;
+  // All points, four or more, are in one plane, or on one line.
+  bool planar() const { return flat_ && plane_ != nullptr && !plane_->empty(); }
+  // The edges that have changed since readers were told the last time, if that is one flip in the plane of
+  // all points, which is no event of the attribute.
+  std::optional<EdgeChange> change_within() const {
+    return planar() ? plane_->change() : std::nullopt;
+  }
 
  private:
   using Quad = Triangulation3::Quad;
@@ -113,6 +145,8 @@ class Delaunay3 final : public SpaceFlips<SewnTriangulation<RegularGeometry<Spac
   void sewn() override;
   void add_windings(const std::vector<Cell>& near, std::vector<Cell>& wrong) override;
   void settle_hidden() override;
+  void sort_out_flat() override;
+  void construct_plane();
   void put_in(ObjectId object);
   void take_out(ObjectId vertex);
 
@@ -120,6 +154,8 @@ class Delaunay3 final : public SpaceFlips<SewnTriangulation<RegularGeometry<Spac
   std::vector<std::pair<ObjectId, ObjectId>>
       hidden_in_patch_;  // and the vertices they are equal to
   std::uint64_t ties_ = 0;  // certificates of ties that were made
+  std::unique_ptr<FlatTriangulation>
+      plane_;  // made when all points are in one plane for the first time
 };
 
 }  // namespace kinex

@@ -66,15 +66,21 @@ bool inside_by_ties(const std::vector<Point>& points, const Quad& cell, ObjectId
 
 }  // namespace
 
+bool Delaunay3::holds_at(const Snapshot& snapshot) const {
+  return !planar() || plane_->holds_at(snapshot);
+}
+
 std::vector<BoundCheck> Delaunay3::bounds(const BoundContext& context) const {
   std::vector<BoundCheck> checks;
   const StructureLedger& ledger = *context.ledger;
-  if (corrupt_) return checks;
+  if (corrupt_ || (plane_ != nullptr && plane_->corrupt())) return checks;
   BoundCheck check;
   check.id = "delaunay_3.certificates";
   check.source =
-      "Euler's formula: one certificate per facet, twice the number of cells, ghosts included";
-  check.bound = Integer(static_cast<std::int64_t>(2 * store_.cells()));
+      "Euler's formula: one certificate per facet, twice the number of cells, ghosts included; of "
+      "points "
+      "in one plane one per edge, 3n - 3";
+  check.bound = counted(2 * store_.cells() + (planar() ? plane_->wanted() : 0));
   check.observed = Integer(static_cast<std::int64_t>(ledger.live));
   check.holds = check.bound == check.observed;
   checks.push_back(std::move(check));
@@ -83,6 +89,10 @@ std::vector<BoundCheck> Delaunay3::bounds(const BoundContext& context) const {
   checks.push_back(at_most(
       "delaunay_3.compactness", "2 (E - V) facets, V = n + 1, E <= C(n + 1, 2)",
       most.sign() < 0 ? Integer(0) : most, Integer(static_cast<std::int64_t>(ledger.max_live))));
+  if (plane_ != nullptr) {
+    for (BoundCheck& of_plane : plane_->bounds(context)) checks.push_back(std::move(of_plane));
+    return checks;
+  }
   // The theorems count flips in general position; degenerate instants may fail more certificates.
   if (!context.plain() || ledger.rebuilds != 0 || sews_ != 0 || blocks_ != 0) return checks;
   const Integer d(context.degree);
@@ -121,6 +131,7 @@ void Delaunay3::check_invariants(AuditReport& report) const {
   report.check(flat_ ? store_.cells() == 0 : store_.vertices() == vertices,
                [] { return std::string("the triangulation does not hold every vertex"); });
   report.check(untold_.size() == 0, [] { return std::string("cells that were not reported"); });
+  if (plane_ != nullptr) plane_->check_invariants(report);
   const std::string defect = store_.defect();
   report.check(defect.empty(), [&] { return defect; });
   if (!defect.empty()) return;
@@ -164,6 +175,7 @@ void Delaunay3::audit(const Snapshot& snapshot, AuditReport& report) const {
   const Witness witness(input.begin(), input.end());
   if (flat_) {
     report.check(witness.dimension() < 3, [] { return std::string("not in one plane"); });
+    if (planar()) plane_->audit(snapshot, report);
     return;
   }
   // Points may touch and turn back without any event: at such an instant cells may be flat.

@@ -5,6 +5,7 @@
 namespace kinex {
 
 void Delaunay3::visit_proof(ProofVisitor& visitor) const {
+  if (planar()) plane_->visit_proof(visitor);
   const ObjectId infinity = store_.infinity();
   ProofGroup group;
   for (Cell c = 0; c < store_.cell_capacity(); ++c) {

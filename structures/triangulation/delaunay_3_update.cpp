@@ -26,6 +26,26 @@ void Delaunay3::construct() {
   for (const auto& [v, behind] : hidden) points_.hide(v, behind);
   flat_ = built == StaticResult::kFlat;
   certify_everything();
+  construct_plane();
+}
+
+// The triangulation of all points in one plane, if they are. Three points need none: their pairs are all that
+// it could have for edges.
+void Delaunay3::construct_plane() {
+  std::vector<ObjectId> vertices;
+  for (ObjectId v = 0; v < objects() && flat_; ++v) {
+    if (points_.is_vertex(v)) vertices.push_back(v);
+  }
+  if (vertices.size() < 4) vertices.clear();
+  if (plane_ == nullptr) {
+    if (vertices.empty()) return;
+    plane_ = std::make_unique<FlatTriangulation>(
+        *kernel_, id_, objects(),
+        FlatTriangulation::FlatKinds{kPlaneFlip, kPlaneEnter, kPlaneLeave, kPlaneRetile,
+                                     kPlaneBlocked, kPlaneTouch, kLinePass});
+  }
+  plane_->build(vertices);
+  corrupt_ = plane_->corrupt();
 }
 
 StaticResult Delaunay3::build_patch(std::span<const ObjectId> vertices) {
@@ -56,6 +76,7 @@ void Delaunay3::insert(ObjectId object) {
 
 void Delaunay3::erase(ObjectId object) {
   if (corrupt_) return;
+  if (plane_ != nullptr) plane_->forget_change();
   comes_or_goes_ = true;
   points_.set_present(object, false);
   if (!points_.is_vertex(object)) {
@@ -72,8 +93,30 @@ void Delaunay3::erase(ObjectId object) {
 
 void Delaunay3::motions_changed(std::span<const ObjectId> objects) {
   moved_.insert(moved_.end(), objects.begin(), objects.end());
-  if (corrupt_ || flat_) return;
+  if (corrupt_) return;
+  if (flat_) {
+    if (plane_ != nullptr) plane_->let_go();
+    return;
+  }
   for (const ObjectId v : objects) renew_about(v);
+}
+
+void Delaunay3::instant_settled() {
+  if (corrupt_) return;
+  if (plane_ != nullptr) plane_->forget_change();
+  if (!flat_ || !moved_.empty()) return SewnTriangulation::instant_settled();
+  if (plane_ != nullptr) plane_->instant_settled();
+}
+
+// New motions while all points are in one plane.
+void Delaunay3::sort_out_flat() {
+  SewnTriangulation::sort_out_flat();
+  if (corrupt_ || !flat_) return;
+  if (planar()) {
+    kernel_->count_rebuild(id_, "new motions in a common plane");
+  } else {
+    kernel_->report_changed_within(id_);  // equal points may have parted
+  }
 }
 
 // The point becomes a vertex, or is hidden behind an equal one; the smaller id is the vertex.

@@ -30,7 +30,20 @@ StructureInfo delaunay_in_space() {
       {"retile", Effect::kSometimes, "at a degenerate instant: cells are cut out and filled anew"},
       {"blocked", Effect::kNever, "at a degenerate instant: no flip repairs the facet yet"},
       {"touch", Effect::kNever,
-       "at a degenerate instant: a certificate touches zero, and holds again"}};
+       "at a degenerate instant: a certificate touches zero, and holds again"},
+      {"plane_flip", Effect::kNever,
+       "all points are in one plane: an edge of its triangulation gives way to another"},
+      {"plane_enter", Effect::kNever, "all points are in one plane: one reaches the hull there"},
+      {"plane_leave", Effect::kNever, "all points are in one plane: one leaves the hull there"},
+      {"plane_retile", Effect::kNever,
+       "at a degenerate instant in the plane of all points: triangles are cut out and filled anew"},
+      {"plane_blocked", Effect::kNever,
+       "at a degenerate instant in the plane of all points: no flip repairs the edge yet"},
+      {"plane_touch", Effect::kNever,
+       "at a degenerate instant in the plane of all points: a certificate touches zero, and holds "
+       "again"},
+      {"line_pass", Effect::kNever,
+       "all points are on one line, and two neighbours change places"}};
   info.fails_at_touch = true;
   info.certificates =
       "at most (n + 1)(n - 2), one for each facet, those with the vertex at infinity included";
@@ -38,7 +51,7 @@ StructureInfo delaunay_in_space() {
       "of points identically on one sphere those with smaller ids have their lifted heights "
       "lowered "
       "more; of identically equal points the smallest id is the vertex; points identically in one "
-      "plane have no cells";
+      "plane have no cells, but the triangulation of the plane for those that read edges";
   info.source =
       "Guibas, Kinetic data structures: a state of the art report (1998), section 7; Joe (1991); "
       "Devillers, Teillaud (2011)";

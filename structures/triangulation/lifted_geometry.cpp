@@ -42,6 +42,17 @@ LiftedGeometry<Complex>::LiftedGeometry(Kernel& kernel, ObjectId infinity,
       power_(kernel.bind(std::move(power))) {}
 
 template <class Complex>
+LiftedGeometry<Complex>::LiftedGeometry(Kernel& kernel, ObjectId infinity,
+                                        AxisPair axes) requires(Complex::kAxes == 2)
+    : kernel_(&kernel),
+      infinity_(infinity),
+      order_{kernel.bind(make_coordinate_order(axes.first)),
+             kernel.bind(make_coordinate_order(axes.second))},
+      projected_{kernel.bind(make_projected_orientation(axes.first, axes.second))},
+      orientation_(projected_[0]),
+      power_(kernel.bind(make_in_circle_lifted(axes.first, axes.second))) {}
+
+template <class Complex>
 bool LiftedGeometry<Complex>::equal(ObjectId a, ObjectId b, When when) const {
   return std::all_of(order_.begin(), order_.end(), [&](PredicateId order) {
     return kernel_->sign(Query(order, {a, b}), when) == Sign::kZero;

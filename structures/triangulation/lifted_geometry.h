@@ -33,6 +33,7 @@
 #include <utility>
 
 #include "core/engine/kernel.h"
+#include "structures/triangulation/axis_pair.h"
 #include "structures/triangulation/plane_complex.h"
 #include "structures/triangulation/space_complex.h"
 
@@ -49,6 +50,10 @@ class LiftedGeometry {
   // `infinity`: the vertex at infinity of the triangulations asked about. `power`: of kCorners + 1 points,
   // positive iff the last one is below the plane of the others, which are upright, all lifted.
   LiftedGeometry(Kernel& kernel, ObjectId infinity, std::shared_ptr<const Predicate> power);
+  // The Delaunay triangulation of points of space that are all in one plane, in projection on two axes on
+  // which the plane is not identically upright. The circles are those of the plane. The two axes decide
+  // whether points are equal: not so at an instant at which the plane is upright.
+  LiftedGeometry(Kernel& kernel, ObjectId infinity, AxisPair axes) requires(Complex::kAxes == 2);
 
   Kernel& kernel() const { return *kernel_; }
   ObjectId infinity() const { return infinity_; }

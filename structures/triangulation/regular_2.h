@@ -56,11 +56,12 @@
 #include <string_view>
 #include <vector>
 
+#include "structures/triangulation/plane_flips.h"
 #include "structures/triangulation/regular_triangulation.h"
 
 namespace kinex {
 
-class Regular2 final : public RegularTriangulation<PlaneComplex> {
+class Regular2 final : public PlaneFlips<RegularTriangulation<PlaneComplex>> {
  public:
   // Kinds of events and their ids: see above.
   enum Kind : std::uint8_t {
@@ -83,18 +84,11 @@ class Regular2 final : public RegularTriangulation<PlaneComplex> {
   bool holds_at(const Snapshot& snapshot) const override;
 
  private:
-  using HalfEdge = Triangulation2::HalfEdge;
   using Triangle = Triangulation2::Triangle;
   using Corners = Triangulation2::Corners;
 
   bool repair(Facet h) override;
-  bool flippable(HalfEdge h) const;
-  void flip(HalfEdge h);
-  void add_windings(const std::vector<Cell>& near, std::vector<Cell>& wrong) override;
-  void settle_hull() override;
-  bool hull_turns_once() const;
-
-  bool near_hull_ = false;  // what is settled touches the hull
+  void flipped(ObjectId u, ObjectId v, ObjectId p, ObjectId q) override;
 };
 
 }  // namespace kinex

@@ -35,6 +35,15 @@ RegularGeometry<Complex>::RegularGeometry(Kernel& kernel,
                       infinity) {}
 
 template <class Complex>
+RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, AxisPair axes,
+                                          ObjectId infinity) requires(Complex::kAxes == 2)
+    : Base(kernel, infinity, axes),
+      radii_(false),
+      power_touch_(kernel.bind(make_in_circle_lifted_touch(axes.first, axes.second))),
+      touch_(kernel.bind(make_projected_orientation_touch(axes.first, axes.second))),
+      unfolded_(kernel.bind(make_obtuse_angle_3())) {}
+
+template <class Complex>
 RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, PowerPair powers, bool radii,
                                           ObjectId infinity)
     : Base(kernel, infinity, std::move(powers.plain)),

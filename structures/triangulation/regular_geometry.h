@@ -28,6 +28,8 @@ class RegularGeometry : public LiftedGeometry<C> {
   RegularGeometry(Kernel& kernel, Extents extents, ObjectId infinity);
   // Without weights: the Delaunay triangulation.
   RegularGeometry(Kernel& kernel, ObjectId infinity) requires(Complex::kAxes == 3);
+  // The same of points of space that are all in one plane, in projection on two axes: lifted_geometry.h.
+  RegularGeometry(Kernel& kernel, AxisPair axes, ObjectId infinity) requires(Complex::kAxes == 2);
 
   bool reads_radii() const { return radii_; }
 

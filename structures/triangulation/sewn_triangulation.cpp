@@ -401,13 +401,17 @@ void SewnTriangulation<Geometry>::instant_settled() {
     if (!corrupt_ && !flat_) settle_hidden();
     if (corrupt_) return;
     if (untold_.size() != 0 || sews_ != sews) {
-      const AttributeDifference change = untold_.take();
-      kernel_->report(id_, kinds_.retile, {}, !change.gone.empty() || !change.came.empty(),
-                      change.gone, change.came);
+      tell_sewn(untold_.take());
     }
   }
   moved_.clear();
   forget_instant();
+}
+
+template <class Geometry>
+void SewnTriangulation<Geometry>::tell_sewn(const AttributeDifference& change) {
+  kernel_->report(id_, kinds_.retile, {}, !change.gone.empty() || !change.came.empty(), change.gone,
+                  change.came);
 }
 
 // ---- everything anew
@@ -431,6 +435,12 @@ void SewnTriangulation<Geometry>::rebuild_because(const std::string& reason) {
     if (!corrupt_) change = difference_between(before, attribute());
   }
   untold_.clear();
+  tell_rebuilt(reason, change);
+}
+
+template <class Geometry>
+void SewnTriangulation<Geometry>::tell_rebuilt(const std::string& reason,
+                                               const AttributeDifference& change) {
   kernel_->count_rebuild(id_, reason, change.gone, change.came);
 }
 

@@ -118,6 +118,11 @@ class SewnTriangulation : public Structure {
   virtual void settle_hull() {}
   // All vertices are in order; hidden points follow.
   virtual void settle_hidden() = 0;
+  // Parts were sewn at the instant, or everything was built anew: reports the change of the cells.
+  virtual void tell_sewn(const AttributeDifference& change);
+  virtual void tell_rebuilt(const std::string& reason, const AttributeDifference& change);
+  // New motions while all points are in one plane (on one line).
+  virtual void sort_out_flat();
 
   // ---- certificates
   Query claim_of(Facet f) const {
@@ -165,8 +170,6 @@ class SewnTriangulation : public Structure {
   // Replaces cells, with their certificates. False, with nothing changed, if the new ones do not fit.
   bool fill(const std::vector<Cell>& cells, const std::vector<Simplex>& filling);
   void rebuild_because(const std::string& reason);
-  // New motions while all points are in one plane (on one line).
-  void sort_out_flat();
   Cell hint() const;
   std::size_t common_bytes() const;
 

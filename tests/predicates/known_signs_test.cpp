@@ -89,6 +89,34 @@ TEST_F(KnownSigns, Spatial) {
   EXPECT_EQ(side({4, 4, 5}), -1);
 }
 
+// Points of planes in space, and what their projections say.
+TEST_F(KnownSigns, OfPlanesInSpace) {
+  // In the plane z = 3 x the circle through these three goes down to y = -40/3.
+  const std::vector<std::vector<int>> corner{{4, 0, 12}, {0, 12, 0}, {-4, 0, -12}};
+  const auto on = [&corner](int u, int v, std::vector<int> point) {
+    return sign(make_in_circle_lifted(u, v), {corner[0], corner[1], corner[2], std::move(point)});
+  };
+  EXPECT_EQ(sign(make_projected_orientation(0, 1), corner), 1);
+  EXPECT_EQ(sign(make_projected_orientation_touch(1, 2), corner), -1);
+  EXPECT_EQ(sign(make_projected_orientation(0, 2), corner), 0);  // it is upright there
+  EXPECT_EQ(on(0, 1, {0, -13, 0}), 1);  // outside of the circle of the projections
+  EXPECT_EQ(on(1, 2, {0, -13, 0}), -1);
+  EXPECT_EQ(on(0, 2, {0, -13, 0}), 0);
+  EXPECT_EQ(on(0, 1, {0, -14, 0}), -1);
+  EXPECT_EQ(on(0, 1, {1, 1, 3}), 1);
+  EXPECT_EQ(on(1, 2, {1, 1, 3}), -1);
+  const auto flat = [](std::vector<int> point) {
+    return sign(make_in_circle_lifted_touch(0, 1), {{0, 0, 7}, {4, 0, 7}, {0, 4, 7}, std::move(point)});
+  };
+  EXPECT_EQ(flat({1, 1, 7}), 1);
+  EXPECT_EQ(flat({4, 4, 7}), 0);
+  EXPECT_EQ(flat({5, 5, 7}), -1);
+  EXPECT_EQ(sign(make_obtuse_angle_3(), {{2, 4, 6}, {1, 2, 3}, {-3, -6, -9}}), 1);
+  EXPECT_EQ(sign(make_obtuse_angle_3(), {{2, 4, 6}, {3, 6, 9}, {-3, -6, -9}}), -1);
+  EXPECT_EQ(sign(make_obtuse_angle_3(), {{0, 0, 5}, {0, 0, 0}, {7, 1, 0}}), 0);
+  EXPECT_THROW(make_in_circle_lifted(1, 1), std::invalid_argument);
+}
+
 // The corner of the unit cube, and the point (1/4, 1/4, 1/4): 9/16, here 4^5 times as much.
 TEST(InSphere3, HasTheValueOfTheDeterminant) {
   std::vector<std::vector<Rational>> points;

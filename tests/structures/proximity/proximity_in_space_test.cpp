@@ -144,7 +144,7 @@ TEST(ProximityInSpace, RandomFlights) {
   }
 }
 
-// All in one plane: every pair is an edge.
+// All in one plane.
 TEST(ProximityInSpace, OnePlane) {
   for (std::uint64_t seed = 1; seed <= test::fewer(4u); ++seed) {
     Scene scene = lattice_scene(seed, 6, 2);

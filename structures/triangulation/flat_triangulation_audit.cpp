@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// FlatTriangulation: bounds, invariants, and the audit against CGAL's exact triangulation in space, which is
+// the Delaunay triangulation of their plane for points that are all in one.
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "structures/parts/binomial.h"
+#include "structures/triangulation/audit_text.h"
+#include "structures/triangulation/flat_triangulation.h"
+
+namespace kinex {
+namespace {
+
+using Exact = CGAL::Simple_cartesian<CGAL::Gmpq>;
+using Number = Exact::FT;
+using Point = Exact::Point_3;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<ObjectId, Exact>;
+using Witness = CGAL::Delaunay_triangulation_3<
+    Exact, CGAL::Triangulation_data_structure_3<VertexBase,
+                                                CGAL::Delaunay_triangulation_cell_base_3<Exact>>>;
+using Corners = std::array<ObjectId, 3>;
+
+Point point_of(const Snapshot& snapshot, ObjectId id) {
+  const auto at = [&](int axis) { return Number(CGAL::Gmpq(snapshot.position(id, axis).raw())); };
+  return Point(at(0), at(1), at(2));
+}
+
+// Twice the area of a triangle in projection on two axes.
+Number area(const AxisPair& axes, const Point& a, const Point& b, const Point& c) {
+  const auto u = [&](const Point& p) { return Number(p[axes.first] - a[axes.first]); };
+  const auto v = [&](const Point& p) { return Number(p[axes.second] - a[axes.second]); };
+  return u(b) * v(c) - v(b) * u(c);
+}
+
+// A point on the circle of a triangle, `turn` its sign in projection: true if it is inside once the lifted
+// heights have been lowered by eps_i, smaller ids much more.
+bool inside_by_ties(const AxisPair& axes, const std::vector<Point>& points, const Corners& t,
+                    ObjectId v) {
+  std::array<ObjectId, 4> order{t[0], t[1], t[2], v};
+  std::sort(order.begin(), order.end());
+  const auto turn = [&](const Corners& c) {
+    return CGAL::sign(area(axes, points[c[0]], points[c[1]], points[c[2]]));
+  };
+  for (const ObjectId lowered : order) {
+    if (lowered == v) return true;
+    Corners with = t;
+    std::replace(with.begin(), with.end(), lowered, v);
+    if (turn(with) != CGAL::ZERO) return turn(with) != turn(t);
+  }
+  return true;
+}
+
+// Smaller id first, ascending.
+std::vector<std::array<ObjectId, 2>> edges_of(const Witness& witness) {
+  std::vector<std::array<ObjectId, 2>> result;
+  for (auto e = witness.finite_edges_begin(); e != witness.finite_edges_end(); ++e) {
+    const ObjectId a = e->first->vertex(e->second)->info();
+    const ObjectId b = e->first->vertex(e->third)->info();
+    result.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace
+
+std::vector<BoundCheck> FlatTriangulation::bounds(const BoundContext& context) const {
+  std::vector<BoundCheck> checks;
+  const StructureLedger& ledger = *context.ledger;
+  if (corrupt_ || !context.plain() || ledger.rebuilds != 0 || sews_ != 0 || blocks_ != 0) {
+    return checks;
+  }
+  const Integer n = counted(context.objects()), d(context.degree);
+  checks.push_back(at_most("delaunay_3.line_events",
+                           "two points on a line pass each other at most d times: d C(n,2)",
+                           d * binomial(n, 2), counted(passes_)));
+  const Integer quads = binomial(n, 4), triples = binomial(n, 3);
+  if (ties_ != 0) {
+    checks.push_back(
+        at_most("delaunay_3.plane_events",
+                "four points of the plane change at a root of their circle, or of their four "
+                "orientations; three of the hull at one of their orientation, or of their three "
+                "angles: 8d C(n,4) + 6d C(n,3)",
+                Integer(8) * d * quads + Integer(6) * d * triples, counted(flips_)));
+    return checks;
+  }
+  checks.push_back(at_most("delaunay_3.plane_events",
+                           "each circle of the plane changes sign 4d times, each orientation 2d "
+                           "times: 4d C(n,4) + 2d C(n,3)",
+                           Integer(4) * d * quads + Integer(2) * d * triples, counted(flips_)));
+  checks.push_back(at_most("delaunay_3.plane_responsiveness", "5 certificates for a flip",
+                           Integer(5), counted(ledger.created_per_event.max)));
+  return checks;
+}
+
+void FlatTriangulation::check_invariants(AuditReport& report) const {
+  report.check(untold_.size() == 0,
+               [] { return std::string("triangles of the plane that were not reported"); });
+  report.check(flat_ ? store_.triangles() == 0 : store_.vertices() == vertices_.size(),
+               [] { return std::string("the triangulation of the plane lacks a vertex"); });
+  report.check(line_.size() == (flat_ && vertices_.size() > 1 ? vertices_.size() : 0),
+               [] { return std::string("the chain lacks a point"); });
+  line_.check(report, "the chain");
+  const std::string defect = store_.defect();
+  report.check(defect.empty(), [&] { return defect; });
+  if (!defect.empty()) return;
+  for (Facet h = 0; h < 3 * store_.triangle_capacity(); ++h) {
+    if (!store_.live(PlaneComplex::cell(h)) || store_.twin(h) < h) continue;
+    const CertificateId label = store_.label(h);
+    const auto holds = [&](Facet tag) {
+      const bool tie = kernel_->sign_after(claim_of(tag)) == Sign::kZero;
+      return facets_.holds(label, tie ? tie_claim_of(tag) : claim_of(tag), tag);
+    };
+    const auto text = [&](const char* what) {
+      return named("edge", {store_.origin(h), store_.target(h)}) + what;
+    };
+    report.check(holds(h) || holds(store_.twin(h)),
+                 [&] { return text(" has no certificate or another edge's"); });
+    report.check(!facets_.is_tie(label), [&] { return text(" is identically flat"); });
+  }
+}
+
+// As Regular2::holds_at, in projection on the axes in use.
+bool FlatTriangulation::holds_at(const Snapshot& snapshot) const {
+  if (flat_) return true;
+  const AxisPair& axes = kAxisPairs[pair_];
+  for (Cell t = 0; t < store_.triangle_capacity(); ++t) {
+    if (!store_.live(t) || store_.ghost(t)) continue;
+    const Corners c = store_.corners(t);
+    const Number turn =
+        area(axes, point_of(snapshot, c[0]), point_of(snapshot, c[1]), point_of(snapshot, c[2]));
+    if (CGAL::sign(turn) != CGAL::POSITIVE) return false;
+  }
+  const auto comes_before = [&](const Point& a, const Point& b) {
+    return std::pair(a[axes.first], a[axes.second]) < std::pair(b[axes.first], b[axes.second]);
+  };
+  int ends = 0;  // of the part of the hull on which the first coordinate ascends
+  const HalfEdge first = store_.out(store_.infinity());
+  HalfEdge at = first;
+  do {
+    const HalfEdge next = store_.around(at), last = store_.around(next);
+    const Point a = point_of(snapshot, store_.target(at));
+    const Point b = point_of(snapshot, store_.target(next));
+    const Point c = point_of(snapshot, store_.target(last));
+    if (comes_before(a, b) && !comes_before(b, c)) ++ends;
+    at = next;
+  } while (at != first);
+  return ends == 1;
+}
+
+void FlatTriangulation::audit(const Snapshot& snapshot, AuditReport& report) const {
+  std::vector<Point> points(store_.infinity());
+  std::vector<std::pair<Point, ObjectId>> input;
+  for (const ObjectId id : vertices_) {
+    points[id] = point_of(snapshot, id);
+    input.emplace_back(points[id], id);
+  }
+  const Witness witness(input.begin(), input.end());
+  if (flat_) {
+    report.check(witness.dimension() < 2, [] { return std::string("not on one line"); });
+    if (witness.number_of_vertices() != input.size()) return;  // two points touch
+    report.check(edges() == edges_of(witness),
+                 [] { return std::string("other neighbours on the line than the witness"); });
+    return;
+  }
+  report.check(witness.dimension() < 3, [] { return std::string("not in one plane"); });
+  // Points may touch and turn back without any event: at such an instant triangles may be flat.
+  if (witness.dimension() != 2 || witness.number_of_vertices() != input.size()) return;
+  // Axes on which the plane is not upright now.
+  AxisPair axes;
+  const auto facet = witness.finite_facets_begin();
+  for (const AxisPair& pair : kAxisPairs) {
+    const auto corner = [&](int i) -> const Point& { return facet->first->vertex(i)->point(); };
+    if (CGAL::sign(area(pair, corner(0), corner(1), corner(2))) != CGAL::ZERO) axes = pair;
+  }
+  Number whole = 0, filled = 0;
+  for (auto f = witness.finite_facets_begin(); f != witness.finite_facets_end(); ++f) {
+    const auto corner = [&](int i) -> const Point& { return f->first->vertex(i)->point(); };
+    whole += CGAL::abs(area(axes, corner(0), corner(1), corner(2)));
+  }
+  const std::vector<std::array<ObjectId, 2>> theirs = edges_of(witness);
+  bool flat = false, ties = false;
+  CGAL::Sign side = CGAL::ZERO;  // of the plane, from which triangles are counter-clockwise
+  const bool all_points = vertices_.size() <= 24;
+  for (Cell t = 0; t < store_.triangle_capacity(); ++t) {
+    if (!store_.live(t) || store_.ghost(t)) continue;
+    const Corners c = store_.corners(t);
+    const Point &p = points[c[0]], &q = points[c[1]], &r = points[c[2]];
+    const Number twice = area(axes, p, q, r);
+    const CGAL::Sign turn = CGAL::sign(twice);
+    filled += CGAL::abs(twice);
+    flat = flat || turn == CGAL::ZERO;
+    if (turn == CGAL::ZERO) continue;
+    report.check(side == CGAL::ZERO || side == turn, [&] {
+      return named("a triangle of the plane is turned over:", {c[0], c[1], c[2]});
+    });
+    side = turn;
+    const auto look_at = [&](ObjectId v) {
+      if (v == c[0] || v == c[1] || v == c[2]) return;
+      const auto place = CGAL::coplanar_side_of_bounded_circle(p, q, r, points[v]);
+      report.check(place != CGAL::ON_BOUNDED_SIDE, [&] {
+        return named("inside the circle: points", {c[0], c[1], c[2], v});
+      });
+      if (place != CGAL::ON_BOUNDARY) return;
+      ties = true;
+      // A tie of this time only may be decided either way.
+      if (kernel_->sign_after(geometry_.power_claim(c, v)) != Sign::kZero) return;
+      report.check(!inside_by_ties(axes, points, c, v), [&] {
+        return named("on the circle, and inside by its id: points", {c[0], c[1], c[2], v});
+      });
+    };
+    if (all_points) {
+      for (const ObjectId v : vertices_) look_at(v);
+    } else {
+      for (Facet h = 3 * t; h < 3 * t + 3; ++h) {
+        const ObjectId v = store_.apex(store_.twin(h));
+        if (v != store_.infinity()) look_at(v);
+      }
+    }
+  }
+  if (flat) return;
+  report.check(filled == whole, [] { return std::string("the triangles do not fill the hull"); });
+  // Of points on one circle the witness may have other edges.
+  report.check(ties || edges() == theirs,
+               [] { return std::string("the edges of the plane differ from the witness"); });
+}
+
+}  // namespace kinex
