@@ -89,6 +89,10 @@ std::vector<BoundCheck> Delaunay3::bounds(const BoundContext& context) const {
   checks.push_back(at_most(
       "delaunay_3.compactness", "2 (E - V) facets, V = n + 1, E <= C(n + 1, 2)",
       most.sign() < 0 ? Integer(0) : most, Integer(static_cast<std::int64_t>(ledger.max_live))));
+  checks.push_back(at_most(
+      "delaunay_3.largest_sew",
+      "the cells of the largest part that was sewn: not all, of which there are E - V",
+      most.sign() < 0 ? Integer(0) : floor_divide(most, Integer(2)), counted(largest_sew())));
   if (plane_ != nullptr) {
     for (BoundCheck& of_plane : plane_->bounds(context)) checks.push_back(std::move(of_plane));
     return checks;

@@ -82,6 +82,12 @@ std::vector<BoundCheck> RegularTriangulation<Complex>::bounds(const BoundContext
   checks.push_back(at_most(id("compactness"), terms.compactness,
                            most_live.sign() < 0 ? Integer(0) : most_live,
                            counted(ledger.max_live)));
+  const Integer most_cells = Complex::kAxes == 2
+                                 ? Integer(2) * n - Integer(2)
+                                 : floor_divide((n + Integer(1)) * (n - Integer(2)), Integer(2));
+  checks.push_back(
+      at_most(id("largest_sew"), "the cells of the largest part that was sewn: not all of them",
+              most_cells.sign() < 0 ? Integer(0) : most_cells, counted(this->largest_sew())));
   // The theorems count changes in general position; degenerate instants may fail more certificates.
   if (!context.plain() || ledger.rebuilds != 0 || this->sews_ != 0 || this->blocks_ != 0 ||
       waits_ != 0) {

@@ -112,6 +112,13 @@ void expect_given_way(const Scene& scene, std::size_t cells, bool all) {
   EXPECT_EQ(world.ledger().rebuilds, all ? 1u : 0u);
   EXPECT_EQ(world.structure().sews(), all ? 0u : 1u);
   EXPECT_EQ(world.structure().largest_sew(), all ? 0u : cells);
+  for (const BoundCheck& bound : world.simulator().bounds(0)) {
+    if (bound.id == "delaunay_3.largest_sew") {
+      EXPECT_EQ(bound.observed, Integer(static_cast<std::int64_t>(all ? 0 : cells)));
+      return;
+    }
+  }
+  ADD_FAILURE() << "no largest sew";
 }
 
 TEST(Delaunay3, ShearedCubes) {
