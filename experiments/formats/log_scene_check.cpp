@@ -62,6 +62,8 @@ LogSceneCheck::LogSceneCheck(const LogHeader& header, const Scene& scene, const 
         directions_.emplace(planned.request.label, std::move(vectors));
       }
       if (info.fails_at_touch) touching_.insert(planned.request.label);
+      if (info.group == "mst_maximum_norm" || info.group == "mst_polygon")
+        turned_.insert(planned.request.label);
     }
   } catch (const InputError& error) {
     complain("a run of the scene cannot have these structures: " + error.problem());
@@ -121,6 +123,8 @@ void LogSceneCheck::note_instant(const LogRecord& record) {
     rearranged_.insert(record.structure);
     if (record.kind != "settled") doubts_.erase(record.structure);
   }
+  // After an exchange of two edges others may be compared, in the order of the turn since long.
+  if (again_ && turned_.count(record.structure) == 1) rearranged_.insert(record.structure);
 }
 
 // A triangulation may have made such certificates before it finds that the instant is degenerate.

@@ -72,6 +72,8 @@ class LogSceneCheck {
   std::map<std::string, Key> keys_;  // by label, of structures that have one
   std::map<std::string, DirectionMeanings> directions_;  // by label, of structures that have some
   std::set<std::string> touching_;   // labels of structures whose certificates fail at touches, too
+  std::set<std::string>
+      turned_;  // labels of structures that certify an order after a turn where lengths are level
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const Predicate>> predicates_;
   MotionsInForce motions_;
   // Objects that appeared at the time of the last record: a certificate of theirs can be negative

@@ -89,23 +89,23 @@ class MaximumNormTree(MaximumNorm, SpanningTree):
 
     def begin(self, x):
         super().begin(x)
-        self.entered = set()  # edges that have come into the tree, or near it, at the present instant
+        self.moved = set()  # edges that have come into the tree, or near it, or left it, at the present instant
 
     def record(self, r, x):
         super().record(r, x)
         if r.kind not in ("settled", "rebuild"):
-            self.entered.add(tuple(r.ids[2:]))
+            self.moved |= {tuple(r.ids[:2]), tuple(r.ids[2:])}
 
     def settle(self, x):
         super().settle(x)
-        self.entered.clear()
+        self.moved.clear()
 
     def doubt(self, r, x, what):
         """Of two lengths that are identically equal the turned ones are compared, which may be negative since long.
-        That is a failure only of an edge that has taken the place of another one at this instant."""
+        That is a failure only of an edge that has taken the place of another one at this instant, or has lost its own."""
         old, fresh = tuple(r.ids[:2]), tuple(r.ids[2:])
         said = {self.world.polynomial(*q) for q in self.meanings(*self.query(r)) if self.world.sign_after(q, x) < 0}
-        self.require(old in self.entered and any(
+        self.require((old in self.moved or fresh in self.moved) and any(
             (query is None or self.world.is_zero(query)) and self.world.polynomial(*turn) in said
             for query, turn in self.lengths_and_turns(old, fresh, x)), what)
 

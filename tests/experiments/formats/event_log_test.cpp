@@ -147,6 +147,21 @@ TEST(EventLog, DegenerateLogsOfEveryStructureVerify) {
   EXPECT_GT(certificates, 2000u);
 }
 
+// Two lengths that are level for ever are compared after a turn: where both are exchanged at one instant the second
+// certificate is negative without having been zero.
+TEST(EventLog, LevelLengthsThatAreExchangedAtOneInstant) {
+  for (const auto& [n, seed] : {std::pair(6, 20), {8, 13}, {10, 6}}) {
+    for (const char* name :
+         {"mst_maximum_norm_list", "mst_maximum_norm_cycles", "mst_maximum_norm_clusters"}) {
+      Scene scene = workload("grid", n, static_cast<std::uint64_t>(seed));
+      formats::set_maintain(scene, {name});
+      const formats::LogVerdict verdict =
+          formats::check_log(run(scene, "exact").log, "log", &scene, formats::scene_hash(scene));
+      EXPECT_EQ(verdict.problems, std::vector<std::string>{}) << name << " " << scene.name;
+    }
+  }
+}
+
 // Points that meet in pairs turn triangles over. A certificate on line 18, made at that instant, is negative without
 // having been zero; the log says only later that the instant is degenerate, by "blocked" and "rebuild".
 TEST(EventLog, CertificatesMadeAtADegenerateInstant) {
