@@ -32,16 +32,15 @@ StructureInfo delaunay_in_space() {
       {"touch", Effect::kNever,
        "at a degenerate instant: a certificate touches zero, and holds again"},
       {"plane_flip", Effect::kNever,
-       "all points are in one plane: an edge of its triangulation gives way to another"},
+       "all points are in one plane: an edge there gives way to another"},
       {"plane_enter", Effect::kNever, "all points are in one plane: one reaches the hull there"},
       {"plane_leave", Effect::kNever, "all points are in one plane: one leaves the hull there"},
       {"plane_retile", Effect::kNever,
-       "at a degenerate instant in the plane of all points: triangles are cut out and filled anew"},
+       "all are in one plane, at a degenerate instant: triangles are filled anew"},
       {"plane_blocked", Effect::kNever,
-       "at a degenerate instant in the plane of all points: no flip repairs the edge yet"},
+       "all are in one plane, at a degenerate instant: no flip is possible yet"},
       {"plane_touch", Effect::kNever,
-       "at a degenerate instant in the plane of all points: a certificate touches zero, and holds "
-       "again"},
+       "all are in one plane, at a degenerate instant: a certificate touches zero"},
       {"line_pass", Effect::kNever,
        "all points are on one line, and two neighbours change places"}};
   info.fails_at_touch = true;

@@ -147,6 +147,16 @@ TEST(SlowDelaunay3Plane, TurningLattices) {
   }
 }
 
+// Seeds and sizes in which points that meet on the hull turn triangles over without a change of sign
+// (delaunay_2_hull_sides_test.cpp).
+TEST(Delaunay3Plane, LatticesWhosePointsMeetOnTheHull) {
+  for (const auto& [seed, n] :
+       {std::pair(1127u, 9), {3477u, 8}, {10941u, 8}, {14096u, 7}, {20621u, 7}}) {
+    SCOPED_TRACE(seed);
+    expect_those_of_the_plane(lattice_scene(seed, n, 2), kOblique);
+  }
+}
+
 TEST(Delaunay3Plane, ReferenceArithmeticAgreesOnLattices) {
   for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
     SCOPED_TRACE(seed);
