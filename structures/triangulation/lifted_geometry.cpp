@@ -42,8 +42,7 @@ LiftedGeometry<Complex>::LiftedGeometry(Kernel& kernel, ObjectId infinity,
       power_(kernel.bind(std::move(power))) {}
 
 template <class Complex>
-LiftedGeometry<Complex>::LiftedGeometry(Kernel& kernel, ObjectId infinity,
-                                        AxisPair axes) requires(Complex::kAxes == 2)
+LiftedGeometry<Complex>::LiftedGeometry(Kernel& kernel, ObjectId infinity, AxisPair axes)
     : kernel_(&kernel),
       infinity_(infinity),
       order_{kernel.bind(make_coordinate_order(axes.first)),

@@ -52,8 +52,8 @@ class LiftedGeometry {
   LiftedGeometry(Kernel& kernel, ObjectId infinity, std::shared_ptr<const Predicate> power);
   // The Delaunay triangulation of points of space that are all in one plane, in projection on two axes on
   // which the plane is not identically upright. The circles are those of the plane. The two axes decide
-  // whether points are equal: not so at an instant at which the plane is upright.
-  LiftedGeometry(Kernel& kernel, ObjectId infinity, AxisPair axes) requires(Complex::kAxes == 2);
+  // whether points are equal: not so at an instant at which the plane is upright. For a complex of the plane.
+  LiftedGeometry(Kernel& kernel, ObjectId infinity, AxisPair axes);
 
   Kernel& kernel() const { return *kernel_; }
   ObjectId infinity() const { return infinity_; }
