@@ -9,11 +9,12 @@ function(kinex_room folder room)
   string(REPLACE "/" "_" name ${room})
   set(target kinex_${folder}_${name})
   # Alone: audits, which include other libraries, whose names are many; what is compiled anew for every commit; small
-  # rooms whose files define the same names in their unnamed namespaces.
+  # rooms whose files define the same names in their unnamed namespaces; members of a class template that another
+  # file instantiates as a whole.
   set(alone ${sources})
   set(single core/numbers core/arithmetic core/engine predicates/bodies predicates/ccd)
   if(NOT ${folder}/${room} IN_LIST single)
-    list(FILTER alone INCLUDE REGEX "_audit\\.cpp$|/machine\\.cpp$")
+    list(FILTER alone INCLUDE REGEX "_audit\\.cpp$|/machine\\.cpp$|/regular_hidden\\.cpp$")
   endif()
   list(REMOVE_ITEM sources ${alone} "")
   set(size 6)

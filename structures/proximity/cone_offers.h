@@ -51,7 +51,7 @@ class ConeOffers {
   using Changed = std::function<void(const Offer&, int)>;
   // Called with two neighbours of a list that have changed places: the one that was in front first.
   using Exchanged = std::function<void(ObjectId, ObjectId)>;
-  struct Exchange {
+  struct Exchange {  // two neighbours of a list that have changed places
     std::size_t list;
     ObjectId before, after;
   };

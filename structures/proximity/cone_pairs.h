@@ -101,7 +101,7 @@ class ConePairs {
   // offered(p, q, +1) when a node offers the looker p with the seen q, offered(p, q, -1) when it
   // ceases to.
   using Offered = std::function<void(ObjectId, ObjectId, int)>;
-  struct Orders {
+  struct Orders {  // of the points: those of the cone, and that of its direction
     PlacesAlong alpha, beta, projection;
   };
 

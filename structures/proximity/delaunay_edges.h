@@ -17,6 +17,7 @@ namespace kinex {
 
 using DelaunayEdge = std::array<ObjectId, 2>;  // ids, ascending
 
+// Edges that a change of the triangulation removes and adds.
 using DelaunayEdgeChange = EdgeChange;
 
 // A Delaunay triangulation, in the plane or in space, as a graph.

@@ -13,7 +13,7 @@
 // until the vertices below the copy are `size` or more; the copy and these are a cluster. So on with
 // further copies, until 2 size - 1 or fewer are left to the vertex itself:
 //
-//            h                      h . . . h' . . . h"        size 2; of seven vertices two
+//            h                      h . . . h  . . . h         size 2; of seven vertices two
 //        / / | \ \ \               / \     / \      / \        copies take two each
 //       a b  c  d e f             e   f   a   b    c   d
 //

@@ -7,10 +7,11 @@
 
 namespace kinex {
 
-struct AxisPair {
+struct AxisPair {  // two axes of space
   int first = 0, second = 1;  // ascending
 };
 
+// All pairs, in the order in which they are tried.
 inline constexpr std::array<AxisPair, 3> kAxisPairs{AxisPair{0, 1}, {0, 2}, {1, 2}};
 
 }  // namespace kinex
