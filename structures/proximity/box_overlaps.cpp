@@ -31,7 +31,7 @@ Query EndClaims::claim(Item a, Item b) const {
 // ---- boxes
 
 BoxOverlaps::BoxOverlaps(Kernel& kernel, StructureId id, const Scene& scene)
-    : kernel_(&kernel), there_(scene.objects.size()) {
+    : there_(scene.objects.size()) {
   const std::size_t ends = 2 * scene.objects.size();
   for (int axis = 0; axis < scene.dimension; ++axis) {
     lists_.emplace_back(kernel, id, std::string("ends along ") + "xyz"[axis],

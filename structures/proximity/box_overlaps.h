@@ -111,7 +111,6 @@ class BoxOverlaps {
   void exchange(std::size_t axis, Item before, Item after, const Change& change);
   void number(std::size_t axis);
 
-  Kernel* kernel_;
   std::vector<List> lists_;                       // by axis
   std::vector<std::vector<std::uint32_t>> rank_;  // by axis and end: its place among the ends
   std::vector<bool> there_;                       // by object

@@ -169,7 +169,7 @@ std::vector<StructureInfo> closest_pairs() {
       "n), for the tournament of the pairs that range trees offer";
   tree.source = "Basch, Guibas, Zhang, Proximity problems on moving points (1997)";
   tree.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
-    const bool octants = in.parameter(kCones) == Rational(8);
+    const bool octants = in.parameter(kCones).numerator().to_int64() == 8;
     return std::make_unique<ClosestPairRangeTree>(
         in.kernel, in.id, in.scene,
         octants ? ConeOffers::Cones::kOctants : ConeOffers::Cones::kQuadrants);
