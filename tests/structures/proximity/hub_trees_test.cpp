@@ -92,7 +92,7 @@ TEST(HubTrees, HubsChange) {
     external += run_all(as_two_hubs(crossing_weights(seed, 14)));
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(external, test::fewer(4u) * 10u);
+  EXPECT_GT(external, test::fewer(4u) * 5u);
 }
 
 // Edges come, go, and change their motions; `sturm` agrees.
