@@ -49,8 +49,8 @@ class DelaunayGraph {
   // The change that an external event of the triangulation states; nullopt if it has to be read off
   // the triangulation.
   std::optional<DelaunayEdgeChange> change(const Event& event) const;
-  // The same of what a reader is told, which is no event if the triangulation has changed within.
-  // For watched_changed alone.
+  // As change(), of what watched_changed() gets: no event means that edges have changed and no cells have.
+  // Asked for there alone.
   std::optional<DelaunayEdgeChange> told(const Event* event) const {
     if (event != nullptr) return change(*event);
     return in_space_ != nullptr ? in_space_->change_within() : std::nullopt;

@@ -147,8 +147,8 @@ TEST(EventLog, DegenerateLogsOfEveryStructureVerify) {
   EXPECT_GT(certificates, 2000u);
 }
 
-// Two lengths that are level for ever are compared after a turn: where both are exchanged at one instant the second
-// certificate is negative without having been zero.
+// Two lengths that are level for ever are compared after a turn. If edges of both are exchanged at one instant, the
+// second certificate is negative without having been zero.
 TEST(EventLog, LevelLengthsThatAreExchangedAtOneInstant) {
   for (const auto& [n, seed] : {std::pair(6, 20), {8, 13}, {10, 6}}) {
     for (const char* name :
