@@ -18,9 +18,8 @@ import xml.etree.ElementTree
 
 from chromium import browser
 from committed_figures import faults_of, look
+from viewer import Viewer
 
-READY = "new Promise(done => { const wait = setInterval(() => { if (window.kinexState) { clearInterval(wait); done(); } }, 20); })"
-SETTLE = "new Promise(done => setTimeout(done, 80))"
 # Instants 1/2 and 1/2 + 2^-60, and one that is no fraction.
 CLOSE = {"kinex": 1, "name": "close", "dimension": 1, "time": {"start": 0, "end": 1}, "maintain": ["sorted_list"],
          "objects": [{"id": "a", "motion": [[0, 1]]}, {"id": "b", "motion": [["1/2"]]},
@@ -31,27 +30,6 @@ CLOSE = {"kinex": 1, "name": "close", "dimension": 1, "time": {"start": 0, "end"
 
 def fail(text):
     sys.exit(f"view_looks: {text}")
-
-
-class Viewer:
-    """A page in a browser."""
-
-    def __init__(self, program, folder, window):
-        self.program, self.folder, self.window = program, pathlib.Path(folder), window
-
-    def kinex(self, *arguments):
-        subprocess.run([self.program, *arguments], cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
-
-    def open(self, name):
-        self.window.open((self.folder / name).as_uri())
-        self.ask(READY)
-
-    def ask(self, expression):
-        return self.window.evaluate(expression)
-
-    def say(self, statement):
-        self.ask(f"(() => {{ {statement} }})()")
-        self.ask(SETTLE)
 
 
 def check_filter(viewer, events):

@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 from chromium import browser
-from view_looks import Viewer
+from viewer import Viewer
 
 PAIRS = ["closest_pair_delaunay", "closest_pair_all", "closest_pair_range_tree", "closest_pair_cones", "closest_pair_local",
          "closest_pair_bins"]

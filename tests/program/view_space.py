@@ -15,7 +15,7 @@ import xml.etree.ElementTree
 
 from chromium import browser
 from committed_figures import faults_of, look
-from view_looks import Viewer
+from viewer import Viewer
 
 # As the keys X, Y and Z and some others look at it.
 VIEWS = [(0, 0), (90, 0), (0, 90), (24, 18), (-130, -47), (61, -90)]

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A page of `kinex view` in a browser, as the tests of pages drive it."""
+import pathlib
+import subprocess
+
+READY = "new Promise(done => { const wait = setInterval(() => { if (window.kinexState) { clearInterval(wait); done(); } }, 20); })"
+SETTLE = "new Promise(done => setTimeout(done, 80))"
+
+
+class Viewer:
+    """A page in a browser."""
+
+    def __init__(self, program, folder, window):
+        self.program, self.folder, self.window = program, pathlib.Path(folder), window
+
+    def kinex(self, *arguments):
+        subprocess.run([self.program, *arguments], cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
+
+    def open(self, name):
+        self.window.open((self.folder / name).as_uri())
+        self.ask(READY)
+
+    def ask(self, expression):
+        return self.window.evaluate(expression)
+
+    def say(self, statement):
+        self.ask(f"(() => {{ {statement} }})()")
+        self.ask(SETTLE)
