@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GraphTree: the minimum spanning forest of a graph whose edges have moving weights:
-// graph_mst_list and graph_mst_cycles.
+// graph_mst_list, graph_mst_cycles, graph_mst_clusters and graph_mst_sparsified.
 //
 // The objects of a scene of one axis are the edges, each between two named vertices ("ends"), and
 // their coordinates are the weights. Parallel edges are allowed, and graphs that are not
-// connected. The engine proves the forest: by the order of all edges (tree_by_list.h), or by the
-// heaviest edge of every cycle (tree_by_cycles.h). Certificates compare two weights, degree d for
-// motions of degree d.
+// connected. The engine proves the forest; certificates compare two weights, degree d for motions
+// of degree d. For m edges, n vertices and k clusters:
 //
-// Quality, for m edges and n vertices: m - 1 certificates, or at most (m - n + 1)(n - 1). External
-// events: at most d C(m, 2) without flight-plan changes, one for each two edges that change their
-// order; O(m n^(1/3)) for linear weights (Dey). An insertion or erasure of an edge repeats
-// Kruskal's algorithm along the list, O(m), or renews the cycles concerned.
+//     name         engine              the forest is proved by              certificates at most
+//     _list        tree_by_list.h      the order of all edges               m - 1
+//     _cycles      tree_by_cycles.h    the heaviest edge of every cycle     (m - n + 1)(n - 1)
+//     _clusters    tree_by_clusters.h  the heaviest edges of paths in and   3m + n (log2 n + 1)
+//                                      between clusters of its vertices       + nk + 2k^2
+//     _sparsified  tree_by_forests.h   cycles in each node of a tournament  (n - 1)^2 in each of
+//                                      of forests of groups of edges          about 2m/n nodes
+//
+// External events: at most d C(m, 2) without flight-plan changes, one for each two edges that
+// change their order; O(m n^(1/3)) for linear weights (Dey). When an edge is inserted or erased,
+// _list repeats Kruskal's algorithm along the list, O(m alpha(m)); the others prove anew only the
+// cycles, the clusters, or the nodes above the edge's group that it changes.
 //
 // Ties. Of edges whose weights are identically equal the smaller object counts as the lighter, so
 // the forest is unique.

@@ -3,7 +3,8 @@
 //
 // The owner adds and removes edges and calls finish(); failures are repaired by the engine. It
 // holds the forest and reports through TreeEvents; tree_by_list.h, tree_by_cycles.h,
-// tree_by_short_cycles.h, tree_by_clusters.h and tree_by_forests.h say how the forest is proved to be minimal.
+// tree_by_short_cycles.h, tree_by_clusters.h and tree_by_forests.h say how the forest is proved to
+// be minimal.
 #ifndef KINEX_STRUCTURES_PROXIMITY_TREE_ENGINE_H
 #define KINEX_STRUCTURES_PROXIMITY_TREE_ENGINE_H
 
