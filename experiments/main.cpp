@@ -25,7 +25,7 @@ void describe(CLI::App& app) {
   app.set_version_flag("-V,--version", kinex::lab::version_text);
   app.require_subcommand(1);
   app.footer(
-      "Example: a scene, its run, and how floating point differs (kinex help VERB has more)\n"
+      "Example: a scene, its run, how floating point differs (kinex help VERB has more)\n"
       "  kinex gen uniform-square --n 100 --seed 7 -o square.json\n"
       "  kinex run square.json --events exact.jsonl\n"
       "  kinex run square.json --arithmetic double --events double.jsonl\n"
@@ -53,8 +53,8 @@ int main(int argc, char** argv) {
   const kinex::lab::GmpGuard guard;
   CLI::App app(
       "kinex: kinetic data structures in exact arithmetic.\n"
-      "Exit codes: 0 fine; 1 a claim, bound or audit failed; 2 bad input or usage; 3 gave up at a "
-      "stated limit.",
+      "Exit codes: 0 fine; 1 a claim, bound or audit failed; 2 bad input or usage;\n"
+      "3 gave up at a stated limit.",
       "kinex");
   int exit_code = verbs::kExitFine;
   describe(app);

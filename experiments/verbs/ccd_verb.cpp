@@ -135,11 +135,12 @@ void add_ccd_verb(CLI::App& app, int& exit_code) {
   add_voice(*verb, "Print the answers and errors",
             "Count the answers by the stage that found them, on standard error");
   verb->footer(
-      "Touching is contact, also at t = 0 and t = 1; a triangle or an edge may be degenerate.\n"
-      "A first time that is not rational is printed as the root of a polynomial.\n"
+      "Touching is contact, also at t = 0 and t = 1; a triangle or an edge may be\n"
+      "degenerate. A first time that is not rational is printed as the root of a\n"
+      "polynomial.\n"
       "Exit codes: 1 an answer differs from the truth column; 3 interrupted.\n"
       "Example: answers, and differences from the files' truth columns\n"
-      "  kinex ccd spikes/edge-edge/data_0_0.csv spikes/vertex-face/data_0_0.csv --tally\n"
+      "  kinex ccd edge-edge/data_0_0.csv vertex-face/data_0_0.csv --tally\n"
       "  kinex ccd queries.csv --kind vertex-face --json");
   verb->callback(
       [options, verb, &exit_code] { answer_files(*options, voice_of(*verb), exit_code); });

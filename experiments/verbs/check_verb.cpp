@@ -192,12 +192,13 @@ void add_check_verb(CLI::App& app, int& exit_code) {
             "Of a scene: the model of its run; of a log: which scene it was checked with; on standard "
             "error");
   verb->footer(
-      "Of a log it checks every member, the digest and the seal (level 0) and, by Sturm's "
-      "theorem,\n"
-      "that every interval holds the root that it claims and that times never decrease (level 1);\n"
-      "with the scene also that each certificate's polynomial, made anew, vanishes at its instant\n"
-      "and is negative right after it (level 2, points). kinex-logcheck replays the events.\n"
-      "Example:\n  kinex check square.log --scene square.json");
+      "Of a log it checks every member, the digest and the seal (level 0) and, by\n"
+      "Sturm's theorem, that every interval holds the root that it claims and that\n"
+      "times never decrease (level 1); with the scene also that each certificate's\n"
+      "polynomial, made anew, vanishes at its instant and is negative right after it\n"
+      "(level 2, points). kinex-logcheck replays the events.\n"
+      "Example:\n"
+      "  kinex check square.log --scene square.json");
   verb->callback([options, verb, &exit_code] { check(*options, voice_of(*verb), exit_code); });
 }
 

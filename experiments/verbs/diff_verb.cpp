@@ -183,16 +183,14 @@ void add_diff_verb(CLI::App& app, int& exit_code) {
   add_voice(*verb, "Print nothing: the exit code tells whether they differ",
             "Count the differences of every kind of record, on standard error");
   verb->footer(
-      "Exit code 0: equal, 1: different. Compared and counted are the log records of events, "
-      "external\n"
-      "and internal, of the structures that both logs have, whatever their labels; not those of "
-      "changes\n"
-      "of the scene (motion, insert, erase) and of rebuilds that change nothing. Instants are "
-      "compared\n"
-      "between two exact logs only, as numbers. A log that was cut off, or stopped at a limit, is "
-      "compared\n"
-      "as far as it goes, and named; \"status\" and \"reached\" of --json say how both logs end.\n"
-      "Example:\n  kinex diff exact.log double.log");
+      "Exit code 0: equal, 1: different. Compared and counted are the log records of\n"
+      "events, external and internal, of the structures that both logs have, whatever\n"
+      "their labels; not those of changes of the scene (motion, insert, erase) and of\n"
+      "rebuilds that change nothing. Instants are compared between two exact logs only,\n"
+      "as numbers. A log that was cut off, or stopped at a limit, is compared as far as\n"
+      "it goes, and named; \"status\" and \"reached\" of --json say how both logs end.\n"
+      "Example:\n"
+      "  kinex diff exact.log double.log");
   verb->callback([options, verb, &exit_code] { diff(*options, voice_of(*verb), exit_code); });
 }
 

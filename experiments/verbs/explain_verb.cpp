@@ -166,12 +166,12 @@ void add_explain_verb(CLI::App& app, int&) {
   add_voice(*verb, "Print the summary alone",
             "Of a structure: print the model of a run of the example, too");
   verb->footer(
-      "Of a structure: what it maintains and for which scenes, its certificates with their "
-      "degrees\n"
-      "(d is that of the motions), events, ties, hard bounds with sources and their values in a "
-      "run\n"
-      "of the example scene, what kinex verify expects of it, and example commands.\n"
-      "Example:\n  kinex explain " +
+      "Of a structure: what it maintains and for which scenes, its certificates with\n"
+      "their degrees (d is that of the motions), events, ties, hard bounds with sources\n"
+      "and their values in a run of the example scene, what kinex verify expects of it,\n"
+      "and example commands.\n"
+      "Example:\n"
+      "  kinex explain " +
       example_structure(2) + "\n  kinex explain uniform-square\n  kinex explain " +
       std::string(family_of(example_structure(2))));
   verb->callback([name, verb] {

@@ -122,11 +122,12 @@ void add_export_verb(CLI::App& app, int&) {
   add_voice(*verb, "Print the file and errors, no counts",
             "Name the date of t = 0 and the size, on standard error");
   verb->footer(
-      "Linear motions with decimals are written as they are: kinex import gives the same scene "
-      "again,\n"
-      "with the same hash. Discs, boxes, lines and bodies that turn are refused.\n"
-      "Elsewhere properties.kinex.error_at_most of a feature bounds the error of its places.\n"
-      "Example:\n  kinex export square.json --mf-json -o square.mfjson");
+      "Linear motions with decimals are written as they are: kinex import gives the\n"
+      "same scene again, with the same hash. Discs, boxes, lines and bodies that turn\n"
+      "are refused. Elsewhere properties.kinex.error_at_most of a feature bounds the\n"
+      "error of its places.\n"
+      "Example:\n"
+      "  kinex export square.json --mf-json -o square.mfjson");
   verb->callback([options, verb] { export_scene(*options, voice_of(*verb)); });
 }
 

@@ -243,14 +243,15 @@ void add_import_verb(CLI::App& app, int&) {
       "places do, beside velocities at the rates vradius, vweight, vhx, ..; colour;\n"
       "line (true: the line y = a x + b, x and y are a and b).\n"
       "Edges of a graph: id,t,from,to,weight or id,from,to,weight,vweight.\n"
-      "Times are numbers, or dates as 2024-05-01T12:30:05Z (ISO 8601): t is then in seconds.\n"
+      "Times are numbers, or dates as 2024-05-01T12:30:05Z (ISO 8601): t is then in\n"
+      "seconds.\n"
       "Example:\n"
       "  kinex import storms.csv --maintain " +
       example_structure(1) +
       ":x -o storms.json\n"
       "  kinex import ships.csv --polygons hulls.csv --bearing heading -o harbour.json\n"
-      "  kinex import tracks.csv --column id=trackId --column t=time --ignore-columns -o "
-      "tracks.json\n"
+      "  kinex import tracks.csv --column id=trackId --column t=time \\\n"
+      "    --ignore-columns -o tracks.json\n"
       "  kinex import cells.csv --column radius=r --column colour=kind -o cells.json\n"
       "  kinex import tram.mfjson --local 13.4,52.5 -o tram.json\n"
       "  kinex import stars.csv --fixed Sun,0,0,0 -o stars.json --maintain \\\n"

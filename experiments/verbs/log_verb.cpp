@@ -74,14 +74,14 @@ void add_log_verb(CLI::App& app, int&) {
             "Say what the log's first and last lines say, on standard error");
   verb->footer(
       "Ids in one field have spaces between them; an id with a space is a JSON string.\n"
-      "Columns: seq, time (decimal), exactly (a fraction, or a root of a polynomial), structure, "
-      "kind,\n"
-      "ids, effect, certificate.\n"
-      "Columns of --csv: seq, time (decimal), polynomial (coefficients, low degree first), root "
-      "(its\n"
-      "number), lower and upper (an interval that isolates it), structure, kind, ids, external,\n"
-      "predicate and certificate_ids (of the certificate that failed), gone, came, reason.\n"
-      "Example:\n  kinex log square.log --filter kind=flip,object=p7\n"
+      "Columns: seq, time (decimal), exactly (a fraction, or a root of a polynomial),\n"
+      "structure, kind, ids, effect, certificate.\n"
+      "Columns of --csv: seq, time (decimal), polynomial (coefficients, low degree\n"
+      "first), root (its number), lower and upper (an interval that isolates it),\n"
+      "structure, kind, ids, external, predicate and certificate_ids (of the\n"
+      "certificate that failed), gone, came, reason.\n"
+      "Example:\n"
+      "  kinex log square.log --filter kind=flip,object=p7\n"
       "  kinex log square.log --filter external=true --columns time,ids\n"
       "  kinex log square.log --csv --filter external=true -o changes.csv");
   verb->callback([options, verb] { show_log(*options, voice_of(*verb)); });

@@ -193,15 +193,15 @@ void add_reproduce_verb(CLI::App& app, int& exit_code) {
   add_voice(*verb, "Print errors, and with --json claims.json",
             "Name every run when it starts, on standard error");
   verb->footer(
-      "Every run is exact and audited. What is finished is kept in reproduce.unfinished until all "
-      "is:\n"
-      "after an interruption the same command goes on from there.\n"
-      "Exit codes: 1 a claim is refuted that has no known counterexample, an audit or a bound failed,\n"
-      "the log of a small run is refused;\n"
-      "3 interrupted, or the program of --logcheck did not check a claim.\n"
-      "Example:\n  kinex reproduce kds-report-1998 figure-3 --quick -o figure\n"
-      "  kinex sweep run reproduce kds-report-1998 --jobs 2 -o out && kinex reproduce "
-      "kds-report-1998 --from out");
+      "Every run is exact and audited. What is finished is kept in reproduce.unfinished\n"
+      "until all is: after an interruption the same command goes on from there.\n"
+      "Exit codes: 1 a claim is refuted that has no known counterexample, an audit or a\n"
+      "bound failed, the log of a small run is refused; 3 interrupted, or the program\n"
+      "of --logcheck did not check a claim.\n"
+      "Example:\n"
+      "  kinex reproduce kds-report-1998 figure-3 --quick -o figure\n"
+      "  kinex sweep run reproduce kds-report-1998 --jobs 2 -o out\n"
+      "  kinex reproduce kds-report-1998 --from out");
   verb->callback([options, verb, &exit_code] {
     options->voice = voice_of(*verb);
     reproduce(*options, exit_code);

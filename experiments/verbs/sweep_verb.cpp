@@ -325,13 +325,14 @@ void add_run(CLI::App& sweep, int& exit_code) {
   verb->add_flag("--retry", options->retry, "Run again cells that crashed or reached a limit");
   add_voice(*verb, "Print only cells that are not done", "Name cells when they start, too");
   verb->footer(
-      "Each cell runs in a process of its own. When it ends its record is appended to a file that\n"
-      "belongs to this attempt. After an interruption, a kill -9 or a power cut the same command\n"
-      "goes on: only the cells that were running are lost. Several shards, attempts and machines\n"
-      "can share the folder.\n"
-      "Exit codes: 1 a cell failed, was refused or crashed; 3 interrupted, or cells reached a "
-      "limit.\n"
-      "Example:\n  kinex sweep run plan.json --jobs 4 -o out\n"
+      "Each cell runs in a process of its own. When it ends its record is appended to a\n"
+      "file that belongs to this attempt. After an interruption, a kill -9 or a power\n"
+      "cut the same command goes on: only the cells that were running are lost. Several\n"
+      "shards, attempts and machines can share the folder.\n"
+      "Exit codes: 1 a cell failed, was refused or crashed; 3 interrupted, or cells\n"
+      "reached a limit.\n"
+      "Example:\n"
+      "  kinex sweep run plan.json --jobs 4 -o out\n"
       "  seq 0 63 | parallel kinex sweep run plan.json --shard {}/64 -o out\n"
       "  kinex sweep run verify " +
       example_structure(2) + " --quick --shard 1/2 -o out");
@@ -353,9 +354,8 @@ void add_cell(CLI::App& sweep) {
   verb->add_option("--seconds", options->limits.seconds, "Limit of CPU time (none)");
   verb->add_option("--megabytes", options->limits.megabytes, "Limit of memory (none)");
   verb->add_option("--parent", options->parent, "End with this process")->group("");
-  verb->footer(
-      "Example:\n  kinex sweep cell '{\"structure\": \"" +
-      example_structure(2) + "\", \"workload\": \"uniform-square\", \"n\": 50}'");
+  verb->footer("Example:\n  kinex sweep cell '{\"structure\": \"" + example_structure(2) +
+               "\",\n    \"workload\": \"uniform-square\", \"n\": 50}'");
   verb->callback([options] { cell(options->text, options->limits, options->parent); });
 }
 
@@ -385,14 +385,14 @@ void add_merge(CLI::App& sweep, int& exit_code) {
   verb->add_flag("--force", options->force, "Replace it if it exists");
   add_voice(*verb, "Print no report", "Name the attempts in the folders, on standard error");
   verb->footer(
-      "Attempts at one cell must agree in every exact field; if two do not, both lines are "
-      "printed\n"
-      "and nothing is written. The exact tables (plan, cell, run, counter, extreme, bound,\n"
-      "violation) do not depend on shards, jobs and attempts; provenance and attempt say who ran\n"
-      "what, and how long it took.\n"
-      "Exit codes: 1 a conflict, or cells failed; 3 cells are missing or reached a limit; the\n"
-      "database is written unless there is a conflict.\n"
-      "Example:\n  kinex sweep merge out -o results.sqlite");
+      "Attempts at one cell must agree in every exact field; if two do not, both lines\n"
+      "are printed and nothing is written. The exact tables (plan, cell, run, counter,\n"
+      "extreme, bound, violation) do not depend on shards, jobs and attempts;\n"
+      "provenance and attempt say who ran what, and how long it took.\n"
+      "Exit codes: 1 a conflict, or cells failed; 3 cells are missing or reached a\n"
+      "limit; the database is written unless there is a conflict.\n"
+      "Example:\n"
+      "  kinex sweep merge out -o results.sqlite");
   verb->callback([options, verb, &exit_code] {
     merge(options->folders, options->output, options->force, voice_of(*verb), exit_code);
   });
@@ -405,20 +405,21 @@ void add_sweep_verb(CLI::App& app, int& exit_code) {
       "sweep", "Plans of many cells, on one machine or many: list, run, status, merge");
   sweep->require_subcommand(1);
   sweep->footer(
-      "A plan is an experiment of the program (kinex sweep list names them), or a list of blocks,\n"
-      "each a product of axes; a cell is then one run:\n"
+      "A plan is an experiment of the program (kinex sweep list names them), or a list\n"
+      "of blocks, each a product of axes; a cell is then one run:\n"
       "  {\"kinex_plan\": 1, \"name\": \"growth\",\n"
       "   \"blocks\": [{\"structure\": [\"" +
       example_structure(2) +
       "\"], \"workload\": [\"uniform-square\"],\n"
       "               \"n\": [100, 200, 400], \"seed\": {\"from\": 1, \"to\": 50}}],\n"
       "   \"limits\": {\"seconds\": 600, \"megabytes\": 4000}}\n"
-      "Axes, each a value or an array: structure (a name, an object as in a scene, or an array of\n"
-      "these for one run), workload, n, m, degree, dimension, separation, turns, seed (as in "
-      "gen);\n"
-      "arithmetic, scheduling, audit, until, max_events (as in run). Limits of a cell: seconds of\n"
-      "CPU time, megabytes of address space.\n"
-      "Example:\n  kinex sweep run plan.json --jobs 4 -o out\n  kinex sweep status out\n"
+      "Axes, each a value or an array: structure (a name, an object as in a scene, or\n"
+      "an array of these for one run), workload, n, m, degree, dimension, separation,\n"
+      "turns, seed (as in gen); arithmetic, scheduling, audit, until, max_events (as in\n"
+      "run). Limits of a cell: seconds of CPU time, megabytes of address space.\n"
+      "Example:\n"
+      "  kinex sweep run plan.json --jobs 4 -o out\n"
+      "  kinex sweep status out\n"
       "  kinex sweep merge out -o results.sqlite\n"
       "  kinex sweep run verify --quick -o out && kinex verify --quick --from out");
   add_list(*sweep);

@@ -160,8 +160,7 @@ void trade(const TradeOptions& options, int& exit_code) {
 void add_trade_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<TradeOptions>();
   CLI::App* verb = app.add_subcommand(
-      "trade",
-      "Speed against accuracy over the arithmetics: writes trade.html, trade.txt and trade.sqlite");
+      "trade", "Speed against accuracy of the arithmetics: trade.html, trade.txt, trade.sqlite");
   verb->add_option("WHAT", options->what, "Structures, scene files, or all (default)");
   add_experiment_options(*verb, *options,
                          {"trade", "Smaller scenes: minutes on one core",
@@ -179,14 +178,15 @@ void add_trade_verb(CLI::App& app, int& exit_code) {
   add_voice(*verb, "Print errors, and with --json its lines",
             "Name every scene that is finished, with its time, on standard error");
   verb->footer(
-      "Every run is compared with the exact one, event by event, and its states are audited\n"
-      "exactly. An error of an inexact arithmetic is a result, not a failure of the command.\n"
-      "Each scene of a structure runs in a process of its own: a crash is a result. What is finished\n"
-      "is kept in trade.unfinished until all is: after an interruption (Ctrl-C, a power cut) the same\n"
-      "command goes on from there.\n"
-      "Exit codes: 1 an exact arithmetic was wrong, or any threw; 3 interrupted, or an exact\n"
-      "run was stopped at the limit.\n"
-      "Example:\n  kinex trade --quick -o results\n"
+      "Every run is compared with the exact one, event by event, and its states are\n"
+      "audited exactly. An error of an inexact arithmetic is a result, not a failure of\n"
+      "the command. Each scene of a structure runs in a process of its own: a crash is\n"
+      "a result. What is finished is kept in trade.unfinished until all is: after an\n"
+      "interruption (Ctrl-C, a power cut) the same command goes on from there.\n"
+      "Exit codes: 1 an exact arithmetic was wrong, or any threw; 3 interrupted, or an\n"
+      "exact run was stopped at the limit.\n"
+      "Example:\n"
+      "  kinex trade --quick -o results\n"
       "  kinex trade square.json --arithmetic gsl,mpfr:80,mpfr:120");
   verb->callback([options, verb, &exit_code] {
     options->voice = voice_of(*verb);

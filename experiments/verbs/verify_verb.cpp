@@ -149,8 +149,7 @@ void verify(const VerifyOptions& options, int& exit_code) {
 void add_verify_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* verb = app.add_subcommand(
-      "verify",
-      "The bound-verification experiments: writes verify.html, verify.txt and verify.sqlite");
+      "verify", "The bound-verification experiments: verify.html, verify.txt, verify.sqlite");
   std::string groups, families;
   for (const std::string_view group : structure_groups()) groups += std::string(group) + ", ";
   for (const std::string_view family : verify::family_names()) {
@@ -171,16 +170,17 @@ void add_verify_verb(CLI::App& app, int& exit_code) {
   add_voice(*verb, "Print errors, and with --json its lines",
             "Name every experiment that is finished, with its verdict, on standard error");
   verb->footer(
-      "Each experiment runs in a process of its own: a crash is a failed check. What is finished is\n"
-      "kept in verify.unfinished until all is: after an interruption (Ctrl-C, a power cut) the same\n"
-      "command goes on from there.\n"
-      "Exit codes: 1 an expectation, bound or audit failed (the scene is kept beside the "
-      "results);\n"
-      "3 interrupted, stopped at a limit, or not enough seeds to tell.\n"
-      "Example:\n  kinex verify " +
+      "Each experiment runs in a process of its own: a crash is a failed check. What is\n"
+      "finished is kept in verify.unfinished until all is: after an interruption\n"
+      "(Ctrl-C, a power cut) the same command goes on from there.\n"
+      "Exit codes: 1 an expectation, bound or audit failed (the scene is kept beside\n"
+      "the results); 3 interrupted, stopped at a limit, or not enough seeds to tell.\n"
+      "Example:\n"
+      "  kinex verify " +
       example_structure(2) +
       " --quick -o results\n"
-      "  kinex sweep run verify all --jobs 2 -o out && kinex verify all --from out -o results");
+      "  kinex sweep run verify all --jobs 2 -o out\n"
+      "  kinex verify all --from out -o results");
   verb->callback([options, verb, &exit_code] {
     options->voice = voice_of(*verb);
     verify(*options, exit_code);

@@ -280,8 +280,7 @@ void view(const ViewOptions& options, const Voice& voice, int& exit_code) {
 void add_view_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* verb = app.add_subcommand(
-      "view",
-      "A run as one HTML page: play it, step through its log records, compare it with another");
+      "view", "A run as one HTML page: play it, step through its log, compare it with another");
   verb->add_option("FILE", options->file, "A scene, or an event log of one (with --scene)")
       ->required();
   verb->add_option("-o,--output", options->output, "Write the page to this file, - prints it")
@@ -300,14 +299,16 @@ void add_view_verb(CLI::App& app, int& exit_code) {
   verb->add_flag("--force", options->force, "Replace a page that exists");
   add_voice(*verb, "Print no report", "Count what is recorded, with its digest, on standard error");
   verb->footer(
-      "The scene is run again, and its states are recorded; a log is checked against that run.\n"
-      "The page needs no network. page.html#event=7 opens it after log record 7. Pictures and\n"
-      "animations of it: experiments/view/animate.py, installed as share/kinex/view/animate.py.\n"
-      "Exit codes: 1 a log is not what its scene gives; 3 there are more log records than the "
-      "page\n"
-      "holds, or more objects than it draws.\n"
-      "Example:\n  kinex view square.json -o square.html\n"
-      "  kinex view square.exact.jsonl --scene square.json --with square.gsl.jsonl -o parted.html\n"
+      "The scene is run again, and its states are recorded; a log is checked against\n"
+      "that run. The page needs no network. page.html#event=7 opens it after record 7\n"
+      "of the log. Pictures and animations of it: experiments/view/animate.py,\n"
+      "installed as share/kinex/view/animate.py.\n"
+      "Exit codes: 1 a log is not what its scene gives; 3 there are more log records\n"
+      "than the page holds, or more objects than it draws.\n"
+      "Example:\n"
+      "  kinex view square.json -o square.html\n"
+      "  kinex view square.exact.jsonl --scene square.json \\\n"
+      "    --with square.gsl.jsonl -o parted.html\n"
       "  kinex view square.json --with double --from 1/3 --until 1/2 -o middle.html");
   verb->callback([options, verb, &exit_code] { view(*options, voice_of(*verb), exit_code); });
 }
