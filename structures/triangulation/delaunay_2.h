@@ -22,7 +22,7 @@
 // Quality, for n points:
 //   compactness     3n - 3 certificates, exactly
 //   locality        not local: a point is in one certificate for each of its edges and one for each
-//                   edge of its link, up to 2 (n - 1) or more
+//                   edge of its link, up to 2n
 //   responsiveness  one flip, 5 certificates; up to 3 more where the hull is identically straight
 //   efficiency      every event is external (ratio 1)
 // Events, linear motion: each in_circle_2 changes sign at most 4 times and each orientation_2
