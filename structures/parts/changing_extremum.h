@@ -30,11 +30,11 @@
 #include <iterator>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "structures/parts/kinetic_tournament.h"
+#include "structures/parts/value_numbers.h"
 
 namespace kinex {
 
@@ -54,43 +54,44 @@ class ChangingExtremum {
   // The number of values in the set, applied or not.
   std::size_t size() const { return size_; }
   bool has(const Value& value) const {
-    const auto place = number_.find(value);
-    return place != number_.end() && place->second.state != State::kGoing;
+    const Item item = numbers().find(value);
+    return item != kNoItem && states_[item] != State::kGoing;
   }
   // In ascending order. O(n log n).
   std::vector<Value> values() const {
     std::vector<Value> result;
-    for (const auto& [value, entry] : number_) {
-      if (entry.state != State::kGoing) result.push_back(value);
-    }
+    numbers().each([&](Item item) {
+      if (states_[item] != State::kGoing) result.push_back(value(item));
+    });
     std::sort(result.begin(), result.end());
     return result;
   }
 
   // False, with nothing changed, if it is there already. O(1), by hashing.
   bool come(const Value& value) {
-    const auto [place, fresh] = number_.try_emplace(value);
-    Entry& entry = place->second;
-    if (!fresh && entry.state != State::kGoing) return false;
+    Item item = numbers().find(value);
+    if (item != kNoItem && states_[item] != State::kGoing) return false;
     ++size_;
-    if (fresh) {
-      entry = {new_item(value), State::kComing};
-      coming_.push_back(entry.item);
+    if (item == kNoItem) {
+      item = numbers().add(value);
+      if (states_.size() <= item) states_.resize(item + std::size_t{1});
+      states_[item] = State::kComing;
+      coming_.push_back(item);
     } else {
-      entry.state = State::kThere;
+      states_[item] = State::kThere;
     }
     return true;
   }
   // False, with nothing changed, if it is not there. O(1), by hashing.
   bool go(const Value& value) {
-    const auto place = number_.find(value);
-    if (place == number_.end() || place->second.state == State::kGoing) return false;
+    const Item item = numbers().find(value);
+    if (item == kNoItem || states_[item] == State::kGoing) return false;
     --size_;
-    if (place->second.state == State::kComing) {
-      free_.push_back(place->second.item);
-      number_.erase(place);
+    if (states_[item] == State::kComing) {
+      numbers().remove(item);
+      numbers().release(item);
     } else {
-      place->second.state = State::kGoing;
+      states_[item] = State::kGoing;
       going_.push_back(value);
     }
     return true;
@@ -112,15 +113,15 @@ class ChangingExtremum {
   void apply(const Tied& tied) {
     take_changes();
     if (!gone_.empty() || !came_.empty()) tournament_.update(gone_, came_, by_value(tied));
-    free_.insert(free_.end(), gone_.rbegin(), gone_.rend());
+    for (auto item = gone_.rbegin(); item != gone_.rend(); ++item) numbers().release(*item);
   }
   // Applies what has changed and makes the whole proof anew. O(n log n).
   template <class Tied>
   void rebuild(const Tied& tied) {
     take_changes();
-    free_.insert(free_.end(), gone_.begin(), gone_.end());
+    for (const Item item : gone_) numbers().release(item);
     std::vector<Item> items;
-    for (const Value& value : values()) items.push_back(number_.at(value).item);
+    for (const Value& value : values()) items.push_back(numbers().find(value));
     tournament_.build(std::move(items), by_value(tied));
   }
 
@@ -156,45 +157,27 @@ class ChangingExtremum {
   void check(AuditReport& report, const std::string& name) const {
     report.check(going_.empty() && coming_.empty(),
                  [&] { return "changes of " + name + " were not applied"; });
-    report.check(tournament_.size() == size_ && number_.size() == size_,
+    report.check(tournament_.size() == size_ && numbers().size() == size_,
                  [&] { return "a wrong number of values in " + name; });
     for (const Value& value : values()) {
-      const Item item = number_.at(value).item;
+      const Item item = numbers().find(value);
       report.check(tournament_.has(item) && this->value(item) == value,
                    [&] { return "a lost value in " + name; });
     }
     tournament_.check(report, name);
   }
   std::size_t bytes() const {
-    return tournament_.bytes() + number_.size() * (sizeof(Value) + 40) +
-           tournament_.claims().values.capacity() * sizeof(Value) +
+    return tournament_.bytes() + numbers().bytes() + states_.capacity() * sizeof(State) +
            going_.capacity() * sizeof(Value) +
-           (free_.capacity() + gone_.capacity() + came_.capacity() + coming_.capacity()) *
-               sizeof(Item);
+           (gone_.capacity() + came_.capacity() + coming_.capacity()) * sizeof(Item);
   }
 
  private:
   enum class State : std::uint8_t { kThere, kComing, kGoing };  // as applied, and as collected
-  struct Entry {
-    Item item = kNoItem;
-    State state = State::kComing;
-  };
-  // For lookups only: no order depends on it.
-  struct Hash {
-    std::size_t operator()(const Value& value) const {
-      std::uint64_t h = 0;
-      for (const auto part : value) {
-        h = (h ^ part) * 0x9e3779b97f4a7c15u;
-        h ^= h >> 29;
-      }
-      return static_cast<std::size_t>(h);
-    }
-  };
-
   // The claims of the tournament: about the values of items.
   struct Numbered {
     ValueClaims claims;
-    std::vector<Value> values;  // by item
+    ValueNumbers<Value> values;
 
     Query claim(Item a, Item b) const
       requires requires(const ValueClaims& c, const Value& v) { c.claim(v, v); }
@@ -214,7 +197,9 @@ class ChangingExtremum {
     bool goes_first(Item a, Item b) const { return claims.goes_first(values[a], values[b]); }
   };
 
-  const Value& value(Item item) const { return tournament_.claims().values[item]; }
+  const ValueNumbers<Value>& numbers() const { return tournament_.claims().values; }
+  ValueNumbers<Value>& numbers() { return tournament_.claims().values; }
+  const Value& value(Item item) const { return numbers()[item]; }
   template <class Tied>
   auto by_value(const Tied& tied) const {
     return [this, &tied](Item a, Item b) { tied(value(a), value(b)); };
@@ -226,40 +211,27 @@ class ChangingExtremum {
     std::sort(going_.begin(), going_.end());
     going_.erase(std::unique(going_.begin(), going_.end()), going_.end());
     for (const Value& value : going_) {
-      const auto place = number_.find(value);
-      if (place == number_.end() || place->second.state != State::kGoing) continue;
-      gone_.push_back(place->second.item);
-      number_.erase(place);
+      const Item item = numbers().find(value);
+      if (item == kNoItem || states_[item] != State::kGoing) continue;
+      gone_.push_back(item);
+      numbers().remove(item);
     }
     std::sort(coming_.begin(), coming_.end());
     coming_.erase(std::unique(coming_.begin(), coming_.end()), coming_.end());
     for (const Item item : coming_) {
-      const auto place = number_.find(value(item));
-      if (place == number_.end() || place->second.item != item) continue;
-      place->second.state = State::kThere;
+      if (numbers().find(value(item)) != item) continue;
+      states_[item] = State::kThere;
       came_.push_back(item);
     }
     going_.clear();
     coming_.clear();
   }
-  Item new_item(const Value& value) {
-    std::vector<Value>& values = tournament_.claims().values;
-    if (free_.empty()) {
-      values.push_back(value);
-      return static_cast<Item>(values.size() - 1);
-    }
-    const Item item = free_.back();
-    free_.pop_back();
-    values[item] = value;
-    return item;
-  }
 
   KineticTournament<Numbered> tournament_;
-  std::unordered_map<Value, Entry, Hash> number_;
-  std::size_t size_ = 0;  // of these, without those that go
+  std::vector<State> states_;  // by item
+  std::size_t size_ = 0;       // of the values, without those that go
   std::vector<Value> going_;
   std::vector<Item> coming_;
-  std::vector<Item> free_;
   std::vector<Item> gone_, came_;  // scratch
 };
 

@@ -22,20 +22,28 @@ std::size_t leaves_below(std::size_t v, std::size_t leaves) {
 
 }  // namespace
 
+// Upwards from the largest node on, so that paths become one where they meet.
 void TournamentEpochs::begin(std::span<const Node> nodes, std::size_t leaves) {
-  const bool one_path = std::ranges::all_of(nodes, [&](Node v) { return v == nodes.front(); });
-  above_.clear();
-  for (const Node first : one_path ? nodes.first(std::min<std::size_t>(nodes.size(), 1)) : nodes) {
-    for (Node v = first; v >= 1; v /= 2) {
-      if (v < leaves) above_.push_back(v);
-    }
-  }
-  if (!one_path) {
-    std::sort(above_.begin(), above_.end());
-    above_.erase(std::unique(above_.begin(), above_.end()), above_.end());
-  }
   if (nodes_.size() <= leaves) nodes_.resize(leaves + 1, 0);
-  for (const Node v : above_) ++nodes_[leaves_below(v, leaves)];
+  paths_.clear();
+  for (Node v : nodes) {
+    while (v >= leaves && v > 0) v /= 2;
+    if (v > 0) paths_.push_back(v);
+  }
+  std::make_heap(paths_.begin(), paths_.end());
+  while (!paths_.empty()) {
+    Node v = paths_.front();
+    std::pop_heap(paths_.begin(), paths_.end());
+    paths_.pop_back();
+    const Node other = paths_.empty() ? 0 : paths_.front();
+    while (v > other) {
+      ++nodes_[leaves_below(v, leaves)];
+      v /= 2;
+    }
+    if (v == other) continue;
+    paths_.push_back(v);
+    std::push_heap(paths_.begin(), paths_.end());
+  }
 }
 
 template <class Most>

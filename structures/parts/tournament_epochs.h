@@ -49,7 +49,7 @@ class TournamentEpochs {
   Integer most_failures_of_pairs(int failures) const;
   std::size_t bytes() const {
     return nodes_.capacity() * sizeof(std::uint64_t) + trees_.size() * 64 +  // of a map, about
-           above_.capacity() * sizeof(Node);
+           paths_.capacity() * sizeof(Node);
   }
 
  private:
@@ -61,7 +61,7 @@ class TournamentEpochs {
   // of leaves of these.
   std::vector<std::uint64_t> nodes_;
   std::map<std::size_t, std::uint64_t> trees_;
-  std::vector<Node> above_;  // scratch
+  std::vector<Node> paths_;  // scratch
 };
 
 }  // namespace kinex

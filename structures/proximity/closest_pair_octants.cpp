@@ -40,8 +40,8 @@ void ClosestPairOctants::follow(ObjectId a, ObjectId b) {
   }
 }
 
-// A change of the closest pair is reported when the instant is over, for certificates of this
-// structure may fail at the same instant.
+// The tournament changes when the octants have told all of the instant, and a change of the closest pair
+// is reported when the instant is over: certificates of this structure may fail at it, too.
 void ClosestPairOctants::watched_changed(const Event* event) {
   if (event != nullptr && event->kind == ConeNeighbours::kPoint) {
     follow(event->ids[0], event->ids[1]);
@@ -49,8 +49,7 @@ void ClosestPairOctants::watched_changed(const Event* event) {
   } else {
     pairs_.assign(octants_->pairs());
   }
-  pairs_.apply(tied());
-  if (!std::ranges::equal(closest(), events_.told().ids)) kernel_->settle_later(id_);
+  kernel_->settle_later(id_);
 }
 
 void ClosestPairOctants::certificate_failed(CertificateId failed) {

@@ -64,10 +64,8 @@ class ClosestPairOctants final : public Structure {
   void motions_changed(std::span<const ObjectId> objects) override {
     pairs_.motions_changed(objects, tied());
   }
-  // The octants may have changes that they have not reported yet.
-  void instant_settled() override {
-    if (kernel_->instant_is_shared(octants_->id())) watched_changed(nullptr);
-  }
+  // A failure of the octants brings several events: their pairs come and go together.
+  void instant_settled() override { pairs_.apply(tied()); }
   void instant_over() override { events_.over(closest()); }
   void watched_changed(const Event* event) override;
   Attribute attribute() const override {

@@ -2,7 +2,6 @@
 #include "structures/proximity/cone_neighbours.h"
 
 #include <algorithm>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -58,8 +57,10 @@ std::vector<ConeNeighbours::Pair> ConeNeighbours::pairs() const {
 Attribute ConeNeighbours::attribute() const { return as_attribute(pairs()); }
 
 Attribute ConeNeighbours::told() const {
+  std::vector<Change> changes = changes_;
+  sort_out(changes);
   return as_attribute(
-      pairs_by([this](std::size_t cone, ObjectId p) { return told_next(cone, p); }));
+      pairs_by([&](std::size_t cone, ObjectId p) { return next_before(changes, cone, p); }));
 }
 
 bool ConeNeighbours::has(const Pair& pair) const {
@@ -70,11 +71,12 @@ bool ConeNeighbours::has(const Pair& pair) const {
   return false;
 }
 
-// As has(), of what was last reported.
-bool ConeNeighbours::had(const Pair& pair) const {
+// As has(), before these changes.
+bool ConeNeighbours::had(std::span<const Change> changes, const Pair& pair) const {
   for (std::size_t cone = 0; cone < frame().cones(); ++cone) {
     if (!frame().counts(cone)) continue;
-    if (told_next(cone, pair[0]) == pair[1] || told_next(cone, pair[1]) == pair[0]) return true;
+    if (next_before(changes, cone, pair[0]) == pair[1]) return true;
+    if (next_before(changes, cone, pair[1]) == pair[0]) return true;
   }
   return false;
 }
@@ -82,14 +84,28 @@ bool ConeNeighbours::had(const Pair& pair) const {
 // ---- changes
 
 void ConeNeighbours::note(std::size_t cone, ObjectId p, ObjectId old) {
-  changes_.try_emplace({p, cone}, old);
+  changes_.push_back({p, static_cast<std::uint32_t>(cone), old});
   pointer_changed(cone, p);
   for (ConeWatcher* const watcher : watchers_) watcher->pointer_changed(p, old, next(cone, p));
 }
 
-ObjectId ConeNeighbours::told_next(std::size_t cone, ObjectId p) const {
-  const auto found = changes_.find({p, cone});
-  return found == changes_.end() ? next(cone, p) : found->second;
+void ConeNeighbours::sort_out(std::vector<Change>& changes) {
+  const auto key = [](const Change& c) { return std::pair(c.point, c.cone); };
+  std::stable_sort(changes.begin(), changes.end(),
+                   [&](const Change& a, const Change& b) { return key(a) < key(b); });
+  const auto end = std::unique(changes.begin(), changes.end(),
+                               [&](const Change& a, const Change& b) { return key(a) == key(b); });
+  changes.erase(end, changes.end());
+}
+
+ObjectId ConeNeighbours::next_before(std::span<const Change> changes, std::size_t cone,
+                                     ObjectId p) const {
+  const std::pair wanted(p, static_cast<std::uint32_t>(cone));
+  const auto found = std::lower_bound(
+      changes.begin(), changes.end(), wanted,
+      [](const Change& c, const auto& key) { return std::pair(c.point, c.cone) < key; });
+  const bool is_there = found != changes.end() && std::pair(found->point, found->cone) == wanted;
+  return is_there ? found->old : next(cone, p);
 }
 
 void ConeNeighbours::repaired() {
@@ -101,33 +117,38 @@ void ConeNeighbours::repaired() {
   }
 }
 
+// Sets the mark of the first event that names a pair.
+void ConeNeighbours::mark_first(std::vector<Named>& named, bool Telling::*mark) {
+  std::sort(named.begin(), named.end());
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    if (i == 0 || named[i].pair != named[i - 1].pair) telling_[named[i].place].*mark = true;
+  }
+}
+
 // A pair that left or joined belongs to the first event that names it as the old or the new one.
 void ConeNeighbours::tell() {
-  struct Telling {
-    ObjectId point, old, fresh;
-    std::vector<ObjectId> gone, came;
-  };
-  std::vector<Telling> all;
-  std::set<Pair> gone, came;
-  for (const auto& [pointer, old] : changes_) {
-    const ObjectId p = pointer.point, fresh = next(pointer.cone, p);
+  sort_out(changes_);
+  telling_.clear();
+  gone_.clear();
+  came_.clear();
+  for (const auto& [p, cone, old] : changes_) {
+    const ObjectId fresh = next(cone, p);
     if (old == fresh) continue;
-    Telling one{p, old == kNoObject ? p : old, fresh == kNoObject ? p : fresh, {}, {}};
-    if (frame().counts(pointer.cone)) {
+    if (frame().counts(cone)) {
       const Pair before = ascending(p, old), after = ascending(p, fresh);
-      if (old != kNoObject && !has(before) && gone.insert(before).second) {
-        one.gone.assign(before.begin(), before.end());
-      }
-      if (fresh != kNoObject && !had(after) && came.insert(after).second) {
-        one.came.assign(after.begin(), after.end());
-      }
+      if (old != kNoObject && !has(before)) gone_.push_back({before, telling_.size()});
+      if (fresh != kNoObject && !had(changes_, after)) came_.push_back({after, telling_.size()});
     }
-    all.push_back(std::move(one));
+    telling_.push_back({p, old == kNoObject ? p : old, fresh == kNoObject ? p : fresh});
   }
   changes_.clear();
-  for (const Telling& one : all) {
-    kernel_->report(id_, kPoint, {one.point, one.old, one.fresh},
-                    !one.gone.empty() || !one.came.empty(), one.gone, one.came);
+  mark_first(gone_, &Telling::goes);
+  mark_first(came_, &Telling::comes);
+  for (const Telling& one : telling_) {
+    const Pair before = ascending(one.point, one.old), after = ascending(one.point, one.fresh);
+    kernel_->report(id_, kPoint, {one.point, one.old, one.fresh}, one.goes || one.comes,
+                    std::span(before).first(one.goes ? 2 : 0),
+                    std::span(after).first(one.comes ? 2 : 0));
   }
 }
 

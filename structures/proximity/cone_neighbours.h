@@ -20,7 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <span>
 #include <vector>
 
 #include "core/engine/kernel.h"
@@ -85,26 +85,43 @@ class ConeNeighbours : public Structure {
   void add_bounds(const BoundContext& context, std::vector<BoundCheck>& result) const;
   void check_woods(AuditReport& report) const;
   std::size_t bytes_of_woods() const {
-    return woods_.bytes() + changes_.size() * (sizeof(Pointer) + 48);
+    return woods_.bytes() + changes_.capacity() * sizeof(Change) +
+           telling_.capacity() * sizeof(Telling) +
+           (gone_.capacity() + came_.capacity()) * sizeof(Named);
   }
 
  private:
-  struct Pointer {
+  struct Change {  // next(cone, point) was `old`
     ObjectId point;
-    std::size_t cone;
-    auto operator<=>(const Pointer&) const = default;
+    std::uint32_t cone;
+    ObjectId old;
+  };
+  struct Telling {
+    ObjectId point, old, fresh;
+    bool goes = false, comes = false;  // the pair with the old one, with the new one
+  };
+  struct Named {  // a pair of the event at a place of telling_
+    Pair pair;
+    std::size_t place;
+    auto operator<=>(const Named&) const = default;
   };
   void note(std::size_t cone, ObjectId p, ObjectId old);
   void tell();
-  ObjectId told_next(std::size_t cone, ObjectId p) const;
-  bool had(const Pair& pair) const;
+  void mark_first(std::vector<Named>& named, bool Telling::*mark);
+  // Each pointer once, ascending, as it was last reported.
+  static void sort_out(std::vector<Change>& changes);
+  ObjectId next_before(std::span<const Change> changes, std::size_t cone, ObjectId p) const;
+  bool had(std::span<const Change> changes, const Pair& pair) const;
   template <class Next>
   std::vector<Pair> pairs_by(const Next& next) const;
 
   Kernel* kernel_;
   StructureId id_;
   ConeWoods woods_;
-  std::map<Pointer, ObjectId> changes_;  // not reported yet: as last reported
+  std::vector<Change> changes_;  // not reported yet, in the order in which they were made
+  // Scratch of tell().
+  std::vector<Telling> telling_;
+  std::vector<Named> gone_, came_;
   mutable std::vector<ConeWatcher*> watchers_;
 };
 

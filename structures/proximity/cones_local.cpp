@@ -36,28 +36,55 @@ std::size_t ConesLocal::order_of(const Claim& c) {
 
 // "The next point is before this one in the order", or level with it.
 Query ConesLocal::query(const Claim& c) const {
+  const Compared two = compared(c);
+  return two.order->claim(two.before, two.after);
+}
+
+ConesLocal::Compared ConesLocal::compared(const Claim& c) const {
   const ObjectId q = next(c.cone, c.point);
   const auto& [axis, reversed] = frame().woods[c.cone / SchnyderWood::kColours][order_of(c)];
-  return reversed ? orders_[axis].claim(c.point, q) : orders_[axis].claim(q, c.point);
+  const TurnedOrder* const order = &orders_[axis];
+  return reversed ? Compared{order, c.point, q} : Compared{order, q, c.point};
+}
+
+// The certificate is that of query(c). Few are by the second key, so the first one is tried first: its
+// certificate knows whether the two are identically level.
+bool ConesLocal::is_right(const Claim& c) const {
+  const CertificateId slot = slot_of(c);
+  if (slot == kNoCertificate) return false;
+  const auto [order, before, after] = compared(c);
+  const Query first = order->by_first_key(before, after);
+  if (kernel().claims(slot, first)) return !slots_.is_tie(slot);
+  return kernel().claims(slot, order->by_second_key(before, after)) &&
+         kernel().sign_after(first) == Sign::kZero;
 }
 
 // The claims of a pointer as they are now, in place of what was claimed of it.
 void ConesLocal::certify(std::size_t cone, ObjectId p) {
   for (std::size_t which = 0; which < kClaims; ++which) {
     const Claim c{cone, p, which};
-    CertificateId& slot = certificates_[tag(c)];
+    CertificateId& slot = slot_of(c);
     if (next(cone, p) == kNoObject) {
       slots_.drop(slot);
       continue;
     }
-    const Query now = query(c);
-    if (!slots_.holds(slot, now, tag(c))) slots_.set(slot, now, tag(c));
+    if (is_right(c)) continue;
+    const auto [order, before, after] = compared(c);
+    const Outlook outlook = slots_.set(slot, order->by_first_key(before, after), tag(c));
+    if (outlook != Outlook::kIdenticallyZero) continue;
+    slots_.set(slot, order->by_second_key(before, after), tag(c));
   }
 }
 
 void ConesLocal::certify_changed() {
   std::sort(changed_.begin(), changed_.end());
   changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+  for (const auto& [cone, p] : changed_) {
+    for (std::size_t which = 0; which < kClaims; ++which) {
+      const CertificateId slot = slot_of({cone, p, which});
+      if (slot != kNoCertificate) kernel().prefetch(slot);
+    }
+  }
   for (const auto& [cone, p] : changed_) certify(cone, p);
   changed_.clear();
 }
@@ -130,7 +157,7 @@ void ConesLocal::certificate_failed(CertificateId failed) {
   if (again && is_alone_[i]) --alone_;
   is_alone_[i] = false;
   if (stale_[i] || again || wood.swap(order_of(c), q, p) != SchnyderWood::Swap::kDone) {
-    slots_.drop(certificates_[tag(c)]);
+    slots_.drop(slot_of(c));
     stale_[i] = true;
     return kernel().settle_later(id());
   }
@@ -160,7 +187,7 @@ void ConesLocal::visit_proof(ProofVisitor& visitor) const {
       group.place = cone * objects() + p;
       visitor.group(group);
       for (std::size_t which = 0; which < kClaims; ++which) {
-        const CertificateId slot = certificates_[tag({cone, p, which})];
+        const CertificateId slot = slot_of({cone, p, which});
         if (slot != kNoCertificate) visitor.certificate(slot, "in the cone");
       }
     }
@@ -196,9 +223,8 @@ void ConesLocal::check_invariants(AuditReport& report) const {
   check_woods(report);
   for (std::uint32_t t = 0; t < certificates_.size(); ++t) {
     const Claim c = claim(t);
-    const bool holds = next(c.cone, c.point) == kNoObject
-                           ? certificates_[t] == kNoCertificate
-                           : slots_.holds(certificates_[t], query(c), t);
+    const bool holds = next(c.cone, c.point) == kNoObject ? slot_of(c) == kNoCertificate
+                                                          : slots_.holds(slot_of(c), query(c), t);
     report.check(holds, [&] {
       return "a wrong certificate in cone " + std::to_string(c.cone) + " of point " +
              std::to_string(c.point);

@@ -88,7 +88,19 @@ class ConesLocal final : public ConeNeighbours {
   Claim claim(std::uint32_t tag) const;
   static std::size_t order_of(const Claim& c);
   std::string_view kind_of(std::size_t cone) const;
+  struct Compared {  // a claim is that `before` is before `after` in the order
+    const TurnedOrder* order;
+    ObjectId before, after;
+  };
+  Compared compared(const Claim& c) const;
   Query query(const Claim& c) const;
+  bool is_right(const Claim& c) const;
+  const CertificateId& slot_of(const Claim& c) const {
+    return certificates_[(c.point * frame().cones() + c.cone) * kClaims + c.which];
+  }
+  CertificateId& slot_of(const Claim& c) {
+    return certificates_[(c.point * frame().cones() + c.cone) * kClaims + c.which];
+  }
   void pointer_changed(std::size_t cone, ObjectId p) override { changed_.emplace_back(cone, p); }
   void certify(std::size_t cone, ObjectId p);
   void certify_changed();
@@ -99,7 +111,7 @@ class ConesLocal final : public ConeNeighbours {
   Slots slots_;
   std::vector<TurnedOrder> orders_;                        // by axis
   std::vector<ObjectId> members_;                          // ascending
-  std::vector<CertificateId> certificates_;                // by tag
+  std::vector<CertificateId> certificates_;                // by point, cone and claim
   std::vector<std::pair<std::size_t, ObjectId>> changed_;  // pointers to be certified
   // By wood: the number of the last instant at which it failed, whether that failure is the only one of the wood
   // at that instant, by now, and whether the wood is to be made when the instant is settled.

@@ -38,30 +38,25 @@ SchnyderWood::SchnyderWood(std::size_t objects, Before before, Changed changed)
     : objects_(objects),
       before_(std::move(before)),
       changed_(std::move(changed)),
-      present_(objects, false) {
-  for (std::size_t colour = 0; colour < kColours; ++colour) {
-    links_[colour].resize(objects);
-    chains_[colour].resize(objects + 1);
-  }
-}
+      present_(objects, false),
+      links_(objects),
+      chains_(objects + 1) {}
 
 // ---- links
 
 void SchnyderWood::unlink(std::size_t colour, ObjectId p) {
-  std::vector<Link>& links = links_[colour];
-  const Link& link = links[p];
-  Chain& chain = chains_[colour][place(link.target)];
-  (link.previous == kNoObject ? chain.first : links[link.previous].next) = link.next;
-  (link.next == kNoObject ? chain.last : links[link.next].previous) = link.previous;
+  const Link& link = links_[p][colour];
+  Chain& chain = chains_[place(link.target)][colour];
+  (link.previous == kNoObject ? chain.first : links_[link.previous][colour].next) = link.next;
+  (link.next == kNoObject ? chain.last : links_[link.next][colour].previous) = link.previous;
 }
 
 void SchnyderWood::link(std::size_t colour, ObjectId p, ObjectId q, ObjectId previous,
                         ObjectId next) {
-  std::vector<Link>& links = links_[colour];
-  Chain& chain = chains_[colour][place(q)];
-  links[p] = {q, previous, next};
-  (previous == kNoObject ? chain.first : links[previous].next) = p;
-  (next == kNoObject ? chain.last : links[next].previous) = p;
+  Chain& chain = chains_[place(q)][colour];
+  links_[p][colour] = {q, previous, next};
+  (previous == kNoObject ? chain.first : links_[previous][colour].next) = p;
+  (next == kNoObject ? chain.last : links_[next][colour].previous) = p;
 }
 
 void SchnyderWood::link_at(std::size_t colour, ObjectId p, ObjectId q, End at) {
@@ -87,9 +82,10 @@ void SchnyderWood::make(const std::array<std::span<const ObjectId>, kColours>& o
   for (const ObjectId p : orders[0]) present_[p] = true;
   for (std::size_t colour = 0; colour < kColours; ++colour) {
     const std::size_t j = successor(colour), k = predecessor(colour);
-    std::vector<Link> old(objects_);
-    old.swap(links_[colour]);
-    chains_[colour].assign(objects_ + 1, Chain{});
+    std::vector<ObjectId> old(objects_);
+    for (ObjectId p = 0; p < objects_; ++p)
+      old[p] = std::exchange(links_[p][colour], Link{}).target;
+    for (std::array<Chain, kColours>& chains : chains_) chains[colour] = {};
     PrefixMinimum chosen(n);
     for (const ObjectId p : orders[j]) {
       const std::size_t least = chosen.below(rank[k][p]);
@@ -98,7 +94,7 @@ void SchnyderWood::make(const std::array<std::span<const ObjectId>, kColours>& o
       chosen.enter(rank[k][p], rank[colour][p]);
     }
     for (ObjectId p = 0; p < objects_; ++p) {
-      if (old[p].target != links_[colour][p].target) changed_(colour, p, old[p].target);
+      if (old[p] != links_[p][colour].target) changed_(colour, p, old[p]);
     }
   }
 }
@@ -111,17 +107,17 @@ SchnyderWood::Swap SchnyderWood::swap(std::size_t order, ObjectId q, ObjectId p)
   const bool in_next = before_(i, p, q);
   if (in_next == before_(k, p, q)) return Swap::kImpossible;
   if (!in_next) std::swap(i, k);
-  if (links_[i][p].target != q) return Swap::kNothing;
-  if (links_[j][p].target == q || links_[i][q].target == p) return Swap::kImpossible;
+  if (links_[p][i].target != q) return Swap::kNothing;
+  if (links_[p][j].target == q || links_[q][i].target == p) return Swap::kImpossible;
   // The chains of j and of i by ascending f: in which direction depends on the names of i and k.
   const bool forward = i == successor(j);
   const End run = forward ? End::kFirst : End::kLast;
   const End far = forward ? End::kLast : End::kFirst;
-  const ObjectId old_of_q = links_[k][q].target;
+  const ObjectId old_of_q = links_[q][k].target;
 
   ObjectId r = end(j, q, run);
   while (r != kNoObject && before_(k, p, r)) {
-    const ObjectId following = forward ? links_[j][r].next : links_[j][r].previous;
+    const ObjectId following = forward ? links_[r][j].next : links_[r][j].previous;
     unlink(j, r);
     link_at(j, r, p, far);
     point(j, r, q);
@@ -132,9 +128,9 @@ SchnyderWood::Swap SchnyderWood::swap(std::size_t order, ObjectId q, ObjectId p)
   if (r != kNoObject) {
     link_at(i, p, r, j == successor(i) ? End::kLast : End::kFirst);
   } else if (j == successor(i)) {
-    link(i, p, links_[i][q].target, links_[i][q].previous, q);
+    link(i, p, links_[q][i].target, links_[q][i].previous, q);
   } else {
-    link(i, p, links_[i][q].target, q, links_[i][q].next);
+    link(i, p, links_[q][i].target, q, links_[q][i].next);
   }
   point(i, p, q);
   // In in(k, p) q is the one with the smallest f_j.
@@ -150,14 +146,14 @@ void SchnyderWood::check(AuditReport& report) const {
   for (std::size_t colour = 0; colour < kColours; ++colour) {
     std::vector<bool> seen(objects_, false);
     const std::size_t j = successor(colour), k = predecessor(colour);
-    const std::vector<Link>& links = links_[colour];
     for (std::size_t i = 0; i <= objects_; ++i) {
       const ObjectId q = i == objects_ ? kNoObject : static_cast<ObjectId>(i);
       ObjectId previous = kNoObject;
-      for (ObjectId p = chains_[colour][i].first; p != kNoObject && !seen[p]; p = links[p].next) {
+      for (ObjectId p = chains_[i][colour].first; p != kNoObject && !seen[p];
+           p = links_[p][colour].next) {
         const auto at = [&] { return " at point " + std::to_string(p); };
         seen[p] = true;
-        report.check(links[p].target == q && links[p].previous == previous,
+        report.check(links_[p][colour].target == q && links_[p][colour].previous == previous,
                      [&] { return "a broken link" + at(); });
         report.check(q == kNoObject || (before_(j, q, p) && before_(k, q, p)),
                      [&] { return "a point in another cone" + at(); });
@@ -165,18 +161,15 @@ void SchnyderWood::check(AuditReport& report) const {
                      [&] { return "a chain in another order" + at(); });
         previous = p;
       }
-      report.check(chains_[colour][i].last == previous, [] { return "a chain with another end"; });
+      report.check(chains_[i][colour].last == previous, [] { return "a chain with another end"; });
     }
     report.check(seen == present_, [] { return "points that are in no chain"; });
   }
 }
 
 std::size_t SchnyderWood::bytes() const {
-  std::size_t total = present_.capacity() / 8;
-  for (std::size_t colour = 0; colour < kColours; ++colour) {
-    total += links_[colour].capacity() * sizeof(Link) + chains_[colour].capacity() * sizeof(Chain);
-  }
-  return total;
+  return present_.capacity() / 8 + links_.capacity() * sizeof(links_[0]) +
+         chains_.capacity() * sizeof(chains_[0]);
 }
 
 }  // namespace kinex

@@ -53,7 +53,7 @@ class SchnyderWood {
   SchnyderWood(std::size_t objects, Before before, Changed changed);
 
   // kNoObject if there is none, or if p is no point of the wood.
-  ObjectId next(std::size_t colour, ObjectId p) const { return links_[colour][p].target; }
+  ObjectId next(std::size_t colour, ObjectId p) const { return links_[p][colour].target; }
   // The wood of these points, each order from its first one to its last one. O(n log n). Points that
   // come or go are reported like all others.
   void make(const std::array<std::span<const ObjectId>, kColours>& orders);
@@ -84,7 +84,7 @@ class SchnyderWood {
   // The place in the chains: no point is behind all of them.
   std::size_t place(ObjectId q) const { return q == kNoObject ? objects_ : q; }
   ObjectId end(std::size_t colour, ObjectId q, End end) const {
-    const Chain& chain = chains_[colour][place(q)];
+    const Chain& chain = chains_[place(q)][colour];
     return end == End::kFirst ? chain.first : chain.last;
   }
   void unlink(std::size_t colour, ObjectId p);
@@ -97,8 +97,9 @@ class SchnyderWood {
   Before before_;
   Changed changed_;
   std::vector<bool> present_;
-  std::array<std::vector<Link>, kColours> links_;    // by point
-  std::array<std::vector<Chain>, kColours> chains_;  // by point; the last one: of no point
+  // By point, then by colour: what is near in the plane of one point is near in memory.
+  std::vector<std::array<Link, kColours>> links_;
+  std::vector<std::array<Chain, kColours>> chains_;  // the last one: of no point
 };
 
 }  // namespace kinex

@@ -27,4 +27,10 @@ Query TurnedOrder::claim(Item a, Item b) const {
   return kernel_->sign_after(first) != Sign::kZero ? first : second_.claim(a, b);
 }
 
+bool in_front(Kernel& kernel, const TurnedOrder& order, Item a, Item b) {
+  Sign sign = kernel.sign_after(order.by_first_key(a, b));
+  if (sign == Sign::kZero) sign = kernel.sign_after(order.by_second_key(a, b));
+  return sign == Sign::kPositive || (sign == Sign::kZero && order.goes_first(a, b));
+}
+
 }  // namespace kinex

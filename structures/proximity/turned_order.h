@@ -39,6 +39,9 @@ class TurnedOrder {
   // By the second key if the two are identically level by the first.
   Query claim(Item a, Item b) const;
   bool goes_first(Item a, Item b) const { return a < b; }
+  // The two that claim() chooses from.
+  Query by_first_key(Item a, Item b) const { return first_.claim(a, b); }
+  Query by_second_key(Item a, Item b) const { return second_.claim(a, b); }
 
  private:
   struct Key {
@@ -53,6 +56,9 @@ class TurnedOrder {
   Kernel* kernel_;
   Key first_, second_;
 };
+
+// As of all claims, with one sign less.
+bool in_front(Kernel& kernel, const TurnedOrder& order, Item a, Item b);
 
 }  // namespace kinex
 

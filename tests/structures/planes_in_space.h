@@ -11,9 +11,9 @@
 
 namespace kinex::test {
 
-using Polynomial = std::vector<Rational>;
+using Coefficients = std::vector<Rational>;
 // Where the axes of the plane go: a polynomial for each axis of space, of each axis of the plane.
-using Turn = std::array<std::array<Polynomial, 3>, 2>;
+using Turn = std::array<std::array<Coefficients, 3>, 2>;
 
 inline const Turn kFlat{{{{{1}, {}, {}}}, {{{}, {1}, {}}}}};
 inline const Turn kUpright{{{{{}, {1}, {}}}, {{{}, {}, {1}}}}};
@@ -25,7 +25,7 @@ inline const Turn kStretched{{{{{1}, {-1}, {}}}, {{{}, {1}, {-1}}}}};
 // (1 - t^2, 0, 2t) and (0, 1 + t^2, 0): upright on x and y at t = -1 and 1.
 inline const Turn kTurning{{{{{1, 0, -1}, {}, {0, 2}}}, {{{}, {1, 0, 1}, {}}}}};
 
-inline void add_product(Polynomial& sum, const Polynomial& a, const Polynomial& b) {
+inline void add_product(Coefficients& sum, const Coefficients& a, const Coefficients& b) {
   if (a.empty() || b.empty()) return;
   if (sum.size() < a.size() + b.size() - 1) sum.resize(a.size() + b.size() - 1);
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -38,7 +38,7 @@ inline Scene in_space(Scene scene, const Turn& turn) {
   scene.dimension = 3;
   for (SceneObject& object : scene.objects) {
     for (auto& piece : object.motion.pieces) {
-      std::vector<Polynomial> axes(3, Polynomial{0});
+      std::vector<Coefficients> axes(3, Coefficients{0});
       for (std::size_t k = 0; k < 2; ++k) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           add_product(axes[axis], piece.trajectory.coordinates[k], turn[k][axis]);
