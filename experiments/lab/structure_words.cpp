@@ -14,7 +14,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr std::size_t kLineLength = 100;
+constexpr std::size_t kLineLength = 80;
 
 std::string in_code(std::string_view text) { return "`" + std::string(text) + "`"; }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -36,12 +37,22 @@ struct GenOptions {
   bool list = false;
 };
 
+// Names and summaries in two columns, in lines of at most 80 characters.
 std::string listed() {
+  constexpr std::size_t kSecondColumn = 26, kLineLength = 80;
   std::string text;
   for (const lab::Workload& workload : lab::workloads()) {
     std::string line = "  " + std::string(workload.name);
-    line.resize(std::max<std::size_t>(line.size() + 1, 26), ' ');
-    text += line + std::string(workload.summary) + "\n";
+    line.resize(std::max<std::size_t>(line.size(), kSecondColumn - 1), ' ');
+    std::istringstream words{std::string(workload.summary)};
+    for (std::string word; words >> word;) {
+      if (line.size() + 1 + word.size() > kLineLength) {
+        text += line + "\n";
+        line.assign(kSecondColumn - 1, ' ');
+      }
+      line += " " + word;
+    }
+    text += line + "\n";
   }
   return text;
 }
