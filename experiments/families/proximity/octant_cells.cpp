@@ -15,6 +15,7 @@
 #include "experiments/families/points/random_motion.h"
 #include "experiments/families/proximity/experiments.h"
 #include "experiments/lab/cell_parts.h"
+#include "experiments/lab/scene_change.h"
 
 namespace kinex::families {
 namespace {
@@ -77,6 +78,26 @@ void add_norm_trees_of_small_integers(lab::Catalogue& catalogue, const char* str
   }
 }
 
+// A polygon of 20 corners in place of 12.
+void of_20_corners(Scene& scene, int) {
+  scene.maintain[0].over = {{.structure = "cones_local",
+                             .label = "cones_local",
+                             .key = {},
+                             .parameters = {{"corners", Rational(20)}}}};
+}
+
+constexpr lab::SceneChange kOf20Corners{"of 20 corners", of_20_corners};
+
+// Its swaps were not counted: every tree is compared with that of all pairs.
+void add_trees_of_20_corners(lab::Catalogue& catalogue, const char* structure) {
+  for (const int n : {6, 8}) {
+    lab::Cell cell = lab::worst_case_cell(structure, "small-integers", n, 1, 0.2);
+    cell.change = &kOf20Corners;
+    cell.audit = AuditLevel::kEvents;
+    catalogue.cells.push_back(std::move(cell));
+  }
+}
+
 // Structures that sort have all exchanges of points that are far apart.
 void add_exchanges(lab::Catalogue& catalogue) {
   for (const int n : {2, 3, 5, 8}) {
@@ -102,7 +123,10 @@ void add_octant_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   }
   for (const char* const structure : kNormTrees) {
     add_norm_trees_of_small_integers(catalogue, structure);
-    if (is_polygon(structure)) continue;  // its cones have many more events
+    if (is_polygon(structure)) {
+      add_trees_of_20_corners(catalogue, structure);
+      continue;  // its cones have many more events
+    }
     for (const int n : {16, 64}) {
       if (n > 16 && extent == lab::Extent::kQuick) continue;
       lab::Cell cell = uniform_cell(structure, n, 2);

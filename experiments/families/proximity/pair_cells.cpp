@@ -15,6 +15,7 @@
 #include "experiments/families/points/random_motion.h"
 #include "experiments/families/proximity/experiments.h"
 #include "experiments/lab/cell_parts.h"
+#include "experiments/lab/scene_change.h"
 
 namespace kinex::families {
 namespace {
@@ -28,6 +29,11 @@ void add_counted(lab::Catalogue& catalogue, lab::Cell cell, std::string claim, i
       lab::expect_exactly(std::move(claim), "external", Integer(count), std::move(source)));
   catalogue.cells.push_back(std::move(cell));
 }
+
+// closest_pair_range_tree by quadrants in place of octants.
+void in_quadrants(Scene& scene, int) { scene.maintain[0].parameters = {{"cones", Rational(4)}}; }
+
+constexpr lab::SceneChange kInQuadrants{"in quadrants", in_quadrants};
 
 struct Counted {
   int n, dimension;
@@ -61,9 +67,11 @@ void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
                              {6, 3, 1, 4, 3, 1, -1},
                              {7, 3, 2, 7, 5, 3, -1},
                              {8, 3, 1, 5, 4, 1, -1}}) {
-    const auto add = [&](const char* structure, const char* claim, int count) {
+    const auto add = [&](const char* structure, const char* claim, int count,
+                         const lab::SceneChange* change = nullptr) {
       lab::Cell cell = lab::worst_case_cell(structure, "small-integers", one.n, 1, 0.1);
       cell.parameters.seed = one.seed;
+      cell.change = change;
       if (one.dimension != 2) cell.parameters.dimension = one.dimension;
       add_counted(catalogue, std::move(cell), claim, count, kBruteForce);
     };
@@ -76,6 +84,7 @@ void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
                                   "closest_pair_local", "closest_pair_bins"}) {
       add(structure, "closest_pair.small_integers", one.pair);
     }
+    add("closest_pair_range_tree", "closest_pair.small_integers", one.pair, &kInQuadrants);
     add("voronoi_cell_2", "voronoi_cell.small_integers", one.cell);
     add("bichromatic_pair_maximum_norm", "bichromatic_pair_maximum_norm.small_integers",
         one.maximum_norm);
@@ -85,11 +94,17 @@ void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
 }  // namespace
 
 void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent) {
-  for (const char* structure : {"closest_pair_all", "closest_pair_range_tree", "closest_pair_cones",
-                                "closest_pair_local", "closest_pair_bins"}) {
+  for (const auto& [structure, change] :
+       {std::pair<const char*, const lab::SceneChange*>("closest_pair_all", nullptr),
+        {"closest_pair_range_tree", nullptr},
+        {"closest_pair_range_tree", &kInQuadrants},
+        {"closest_pair_cones", nullptr},
+        {"closest_pair_local", nullptr},
+        {"closest_pair_bins", nullptr}}) {
     for (const int size : {3, 4, 5}) {
       lab::Cell cell = lab::worst_case_cell(structure, "pass-along-row", size, 1, 0.5);
       cell.parameters.m = size;
+      cell.change = change;
       add_counted(catalogue, std::move(cell), "closest_pair.all_pairs", size * size - 1,
                   "all nm pairs are the closest in turn: nm - 1");
     }
@@ -109,6 +124,15 @@ void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent) {
       cell.cost = all_pairs ? n / 20.0 : n / 100.0;
       catalogue.cells.push_back(std::move(cell));
     }
+  }
+  for (const int n : {16, 64, 256}) {
+    if (n > 64 && extent == lab::Extent::kQuick) continue;
+    lab::Cell cell = uniform_cell("closest_pair_range_tree", n, 2);
+    cell.change = &kInQuadrants;
+    cell.family = "uniform, in quadrants";
+    cell.precise = {{"external", kChangesError}};
+    cell.cost = n / 50.0;
+    catalogue.cells.push_back(std::move(cell));
   }
   for (const int n : {16, 64}) {
     lab::Cell cell = uniform_cell("nearest_site", n, 3);
