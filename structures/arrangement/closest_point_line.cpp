@@ -5,23 +5,14 @@
 #include <string>
 
 #include "structures/arrangement/line_bounds.h"
-#include "structures/parts/tournament_proof.h"
 
 namespace kinex {
 
 ClosestPointLine::ClosestPointLine(Kernel& kernel, StructureId id, const Scene& scene,
                                    LineMeasure measure)
-    : kernel_(&kernel),
-      id_(id),
-      measure_(measure),
-      pairs_(kernel, id, "pairs", LineDistances(kernel, measure, lines_of(scene))),
-      events_(kernel, id, Attribute::Shape::kTuples) {}
-
-std::vector<ObjectId> ClosestPointLine::closest() const {
-  const Pair* front = pairs_.front();
-  if (front == nullptr) return {};
-  return {(*front)[0], (*front)[1]};
-}
+    : FrontPair(kernel, id, "pairs", "lines and points by distance",
+                LineDistances(kernel, measure, lines_of(scene))),
+      measure_(measure) {}
 
 std::vector<ClosestPointLine::Pair> ClosestPointLine::all_pairs() const {
   std::vector<Pair> all;
@@ -33,25 +24,10 @@ std::vector<ClosestPointLine::Pair> ClosestPointLine::all_pairs() const {
   return all;
 }
 
-void ClosestPointLine::begin() {
-  pairs_.apply(tied());
-  events_.begin(closest());
-}
-
 void ClosestPointLine::build(std::span<const ObjectId> objects) {
   members_.assign(objects.begin(), objects.end());
   pairs_.assign(all_pairs());
   begin();
-}
-
-void ClosestPointLine::rebuild() {
-  pairs_.rebuild(tied());
-  begin();
-}
-
-void ClosestPointLine::certificate_failed(CertificateId failed) {
-  const auto [old, fresh] = pairs_.failed(failed, tied());
-  events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, closest());
 }
 
 void ClosestPointLine::insert(ObjectId object) {
@@ -68,12 +44,6 @@ void ClosestPointLine::erase(ObjectId object) {
     if (is_pair(object, other)) pairs_.go({std::min(object, other), std::max(object, other)});
   }
   begin();
-}
-
-void ClosestPointLine::visit_proof(ProofVisitor& visitor) const {
-  visit_tournament(visitor, pairs_, 0, "lines and points by distance", [](const Pair& winner) {
-    return std::vector<ObjectId>(winner.begin(), winner.end());
-  });
 }
 
 std::vector<BoundCheck> ClosestPointLine::bounds(const BoundContext& context) const {
@@ -96,10 +66,9 @@ std::vector<BoundCheck> ClosestPointLine::bounds(const BoundContext& context) co
 }
 
 void ClosestPointLine::check_invariants(AuditReport& report) const {
-  pairs_.check(report, "pairs");
+  FrontPair::check_invariants(report);
   report.check(pairs_.values() == all_pairs(),
                [] { return "other pairs than those of its lines and points"; });
-  report.check(closest() == events_.told().ids, [] { return "a change was not reported"; });
 }
 
 }  // namespace kinex

@@ -32,50 +32,25 @@
 
 #include "core/engine/structure.h"
 #include "structures/arrangement/line_distances.h"
-#include "structures/parts/attribute_events.h"
-#include "structures/parts/changing_extremum.h"
+#include "structures/parts/front_pair.h"
 
 namespace kinex {
 
-class ClosestPointLine final : public Structure {
-  using Pair = LineDistances::Value;
-  auto tied() {
-    return [this](const Pair& a, const Pair& b) {
-      kernel_->report(id_, kTie, {a[0], a[1], b[0], b[1]}, false);
-    };
-  }
-
+class ClosestPointLine final : public FrontPair<LineDistances> {
  public:
-  // kReplace: another winner of a duel: the old pair and the new one. kTie: the same, because the
-  // distances have become identically equal.
-  enum Kind : std::uint8_t { kReplace, kTie };
-
   ClosestPointLine(Kernel& kernel, StructureId id, const Scene& scene, LineMeasure measure);
 
   std::string_view name() const override {
     return measure_ == LineMeasure::kHeight ? "closest_point_line_vertical" : "closest_point_line";
   }
-  std::vector<std::string_view> event_kinds() const override {
-    return common_event_kinds({"replace", "tie"});
-  }
   void build(std::span<const ObjectId> objects) override;
-  void rebuild() override;
-  void certificate_failed(CertificateId failed) override;
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
-  void motions_changed(std::span<const ObjectId> objects) override {
-    pairs_.motions_changed(objects, tied());
-  }
-  void instant_over() override { events_.over(closest()); }
-  Attribute attribute() const override { return {Attribute::Shape::kTuples, closest()}; }
-  Attribute told() const override { return events_.told(); }
-  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override {
-    return members_.capacity() * sizeof(ObjectId) + pairs_.bytes() + pairs_.claims().bytes() +
-           events_.bytes();
+    return members_.capacity() * sizeof(ObjectId) + FrontPair::bytes() + pairs_.claims().bytes();
   }
 
  private:
@@ -86,16 +61,10 @@ class ClosestPointLine final : public Structure {
   bool is_pair(ObjectId a, ObjectId b) const {
     return pairs_.claims().is_line(a) != pairs_.claims().is_line(b);
   }
-  std::vector<ObjectId> closest() const;
   std::vector<Pair> all_pairs() const;
-  void begin();
 
-  Kernel* kernel_;
-  StructureId id_;
   LineMeasure measure_;
   std::vector<ObjectId> members_;  // ascending
-  ChangingExtremum<LineDistances> pairs_;
-  AttributeEvents events_;
 };
 
 }  // namespace kinex

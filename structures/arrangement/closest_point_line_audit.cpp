@@ -35,7 +35,7 @@ void ClosestPointLine::audit(const Snapshot& snapshot, AuditReport& report) cons
       best = distance;
     }
   }
-  report.check(nearest == closest(), [] { return "another line and point are the closest"; });
+  report.check(nearest == attribute().ids, [] { return "another line and point are the closest"; });
 }
 
 }  // namespace kinex

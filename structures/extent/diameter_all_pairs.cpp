@@ -4,20 +4,8 @@
 #include <algorithm>
 
 #include "structures/extent/farthest_pair_audit.h"
-#include "structures/parts/tournament_proof.h"
 
 namespace kinex {
-
-std::vector<ObjectId> DiameterAllPairs::farthest() const {
-  const Pair* front = pairs_.front();
-  if (front == nullptr) return {};
-  return {(*front)[0], (*front)[1]};
-}
-
-void DiameterAllPairs::begin() {
-  pairs_.apply(tied());
-  events_.begin(farthest());
-}
 
 void DiameterAllPairs::build(std::span<const ObjectId> objects) {
   members_.assign(objects.begin(), objects.end());
@@ -27,16 +15,6 @@ void DiameterAllPairs::build(std::span<const ObjectId> objects) {
   }
   pairs_.assign(all);
   begin();
-}
-
-void DiameterAllPairs::rebuild() {
-  pairs_.rebuild(tied());
-  begin();
-}
-
-void DiameterAllPairs::certificate_failed(CertificateId failed) {
-  const auto [old, fresh] = pairs_.failed(failed, tied());
-  events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, farthest());
 }
 
 void DiameterAllPairs::insert(ObjectId object) {
@@ -53,12 +31,6 @@ void DiameterAllPairs::erase(ObjectId object) {
     pairs_.go({std::min(object, other), std::max(object, other)});
   }
   begin();
-}
-
-void DiameterAllPairs::visit_proof(ProofVisitor& visitor) const {
-  visit_tournament(visitor, pairs_, 0, "pairs by distance", [](const Pair& winner) {
-    return std::vector<ObjectId>(winner.begin(), winner.end());
-  });
 }
 
 std::vector<BoundCheck> DiameterAllPairs::bounds(const BoundContext& context) const {
@@ -79,15 +51,14 @@ std::vector<BoundCheck> DiameterAllPairs::bounds(const BoundContext& context) co
 }
 
 void DiameterAllPairs::check_invariants(AuditReport& report) const {
-  pairs_.check(report, "pairs");
+  FrontPair::check_invariants(report);
   const std::size_t n = members_.size();
   report.check(pairs_.size() == (n == 0 ? 0 : n * (n - 1) / 2),
                [] { return "a wrong number of pairs"; });
-  report.check(farthest() == events_.told().ids, [] { return "a change was not reported"; });
 }
 
 void DiameterAllPairs::audit(const Snapshot& snapshot, AuditReport& report) const {
-  report.check(static_farthest_pair(snapshot) == farthest(),
+  report.check(static_farthest_pair(snapshot) == attribute().ids,
                [] { return "another pair is the farthest"; });
 }
 

@@ -20,8 +20,7 @@
 #include <vector>
 
 #include "core/engine/structure.h"
-#include "structures/parts/attribute_events.h"
-#include "structures/parts/changing_extremum.h"
+#include "structures/parts/front_pair.h"
 #include "structures/parts/pair_distances.h"
 
 namespace kinex {
@@ -38,57 +37,24 @@ class FarPairs {
   PairDistances distances_;
 };
 
-class DiameterAllPairs final : public Structure {
-  using Pair = FarPairs::Value;
-  auto tied() {
-    return [this](const Pair& a, const Pair& b) {
-      kernel_->report(id_, kTie, {a[0], a[1], b[0], b[1]}, false);
-    };
-  }
-
+class DiameterAllPairs final : public FrontPair<FarPairs> {
  public:
-  // kReplace: another winner of a duel: the old pair and the new one. kTie: the same, because the
-  // distances have become identically equal.
-  enum Kind : std::uint8_t { kReplace, kTie };
-
   DiameterAllPairs(Kernel& kernel, StructureId id, const Scene& scene)
-      : kernel_(&kernel),
-        id_(id),
-        pairs_(kernel, id, "pairs", FarPairs(kernel, scene.dimension)),
-        events_(kernel, id, Attribute::Shape::kTuples) {}
+      : FrontPair(kernel, id, "pairs", "pairs by distance", FarPairs(kernel, scene.dimension)) {}
 
   std::string_view name() const override { return "diameter_all_pairs"; }
-  std::vector<std::string_view> event_kinds() const override {
-    return common_event_kinds({"replace", "tie"});
-  }
   void build(std::span<const ObjectId> objects) override;
-  void rebuild() override;
-  void certificate_failed(CertificateId failed) override;
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
-  void motions_changed(std::span<const ObjectId> objects) override {
-    pairs_.motions_changed(objects, tied());
-  }
-  void instant_over() override { events_.over(farthest()); }
-  Attribute attribute() const override { return {Attribute::Shape::kTuples, farthest()}; }
-  Attribute told() const override { return events_.told(); }
-  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override {
-    return members_.capacity() * sizeof(ObjectId) + pairs_.bytes() + events_.bytes();
+    return members_.capacity() * sizeof(ObjectId) + FrontPair::bytes();
   }
 
  private:
-  std::vector<ObjectId> farthest() const;
-  void begin();
-
-  Kernel* kernel_;
-  StructureId id_;
   std::vector<ObjectId> members_;  // ascending
-  ChangingExtremum<FarPairs> pairs_;
-  AttributeEvents events_;
 };
 
 }  // namespace kinex

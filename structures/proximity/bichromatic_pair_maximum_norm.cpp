@@ -4,28 +4,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "structures/parts/tournament_proof.h"
 #include "structures/proximity/static_norm_audit.h"
 
 namespace kinex {
 
 BichromaticPairMaximumNorm::BichromaticPairMaximumNorm(Kernel& kernel, StructureId id,
                                                        const Scene& scene, TwoClasses classes)
-    : kernel_(&kernel),
-      id_(id),
+    : FrontPair(kernel, id, "pairs", "pairs by their lengths in the maximum norm",
+                MaximumNormLengths(kernel)),
       classes_(std::move(classes)),
-      pairs_(kernel, id, "pairs", MaximumNormLengths(kernel)),
       offers_(kernel, id, scene.objects.size(), ConeOffers::Cones::kOctants,
               KeptPoints::kOneOfEachColour, &classes_,
-              [this](const ConeOffers::Offer& one, int change) { offer(one, change); }),
-      events_(kernel, id, Attribute::Shape::kTuples) {}
-
-std::vector<ObjectId> BichromaticPairMaximumNorm::nearest() const {
-  const Value* front = pairs_.front();
-  if (front == nullptr) return {};
-  const auto pair = pair_of(*front);
-  return {pair[0], pair[1]};
-}
+              [this](const ConeOffers::Offer& one, int change) { offer(one, change); }) {}
 
 // The projections of octants are x and y: the axis is the number of the linear function.
 void BichromaticPairMaximumNorm::offer(const ConeOffers::Offer& offer, int change) {
@@ -36,11 +26,6 @@ void BichromaticPairMaximumNorm::offer(const ConeOffers::Offer& offer, int chang
 
 // ---- calls
 
-void BichromaticPairMaximumNorm::begin() {
-  pairs_.apply(tied());
-  events_.begin(nearest());
-}
-
 void BichromaticPairMaximumNorm::build(std::span<const ObjectId> objects) {
   offers_.build(objects);
   begin();
@@ -48,8 +33,7 @@ void BichromaticPairMaximumNorm::build(std::span<const ObjectId> objects) {
 
 void BichromaticPairMaximumNorm::rebuild() {
   offers_.rebuild();
-  pairs_.rebuild(tied());
-  events_.begin(nearest());
+  FrontPair::rebuild();
 }
 
 void BichromaticPairMaximumNorm::insert(ObjectId object) {
@@ -65,19 +49,18 @@ void BichromaticPairMaximumNorm::erase(ObjectId object) {
 void BichromaticPairMaximumNorm::certificate_failed(CertificateId failed) {
   if (const auto exchange = offers_.failed(failed)) {
     pairs_.apply(tied());
-    events_.repaired(kOrder, {exchange->before, exchange->after}, nearest());
+    repaired(kOrder, {exchange->before, exchange->after});
     offers_.settle(exchange->list, exchanged());
     pairs_.apply(tied());
-    if (nearest() != events_.told().ids) kernel_->settle_later(id_);
+    if (!is_told()) kernel_->settle_later(id_);
     return;
   }
-  const auto duel = pairs_.failed(failed, tied());
+  const Duel duel = pairs_.failed(failed, tied());
   if (!kernel_->instant_is_over(id_)) {
     renew({duel.after});
     kernel_->settle_later(id_);  // the change of the attribute may be more than this duel
   }
-  const auto old = pair_of(duel.before), fresh = pair_of(duel.after);
-  events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, nearest());
+  replaced(duel);
 }
 
 // Lengths that were identically equal may be so no more, or have become it, and then another claim
@@ -107,11 +90,7 @@ void BichromaticPairMaximumNorm::renew(const std::vector<Value>& values) {
 
 void BichromaticPairMaximumNorm::visit_proof(ProofVisitor& visitor) const {
   offers_.visit_proof(visitor);
-  visit_tournament(visitor, pairs_, 0, "pairs by their lengths in the maximum norm",
-                   [](const Value& winner) {
-                     const auto pair = pair_of(winner);
-                     return std::vector<ObjectId>(pair.begin(), pair.end());
-                   });
+  FrontPair::visit_proof(visitor);
 }
 
 std::vector<BoundCheck> BichromaticPairMaximumNorm::bounds(const BoundContext& context) const {
@@ -152,18 +131,17 @@ void BichromaticPairMaximumNorm::check_invariants(AuditReport& report) const {
   for (const Value& value : counts_.values()) {
     report.check(classes_.differ(value[0], value[1]), [] { return "two points of one colour"; });
   }
-  pairs_.check(report, "pairs");
-  report.check(nearest() == events_.told().ids, [] { return "a change was not reported"; });
+  FrontPair::check_invariants(report);
 }
 
 void BichromaticPairMaximumNorm::audit(const Snapshot& snapshot, AuditReport& report) const {
   const auto pair = static_nearest_maximum_norm(
       snapshot, [this](ObjectId a, ObjectId b) { return classes_.differ(a, b); });
-  report.check(pair == nearest(), [] { return "another pair is the nearest"; });
+  report.check(pair == attribute().ids, [] { return "another pair is the nearest"; });
 }
 
 std::size_t BichromaticPairMaximumNorm::bytes() const {
-  return classes_.bytes() + offers_.bytes() + counts_.bytes() + pairs_.bytes() + events_.bytes() +
+  return classes_.bytes() + offers_.bytes() + counts_.bytes() + FrontPair::bytes() +
          pairs_.claims().bytes();
 }
 

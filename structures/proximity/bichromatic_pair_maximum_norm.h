@@ -47,8 +47,7 @@
 #include <vector>
 
 #include "core/engine/structure.h"
-#include "structures/parts/attribute_events.h"
-#include "structures/parts/changing_extremum.h"
+#include "structures/parts/front_pair.h"
 #include "structures/parts/object_sets.h"
 #include "structures/proximity/cone_offers.h"
 #include "structures/proximity/norm_order.h"
@@ -66,6 +65,7 @@ class MaximumNormLengths {
   static NormForm form(const Value& value) {
     return {static_cast<std::uint8_t>(value[2]), value[0], value[1]};
   }
+  static std::array<ObjectId, 2> pair_of(const Value& value) { return form(value).pair(); }
   Query claim(const Value& front, const Value& back) const {
     const NormForm one = form(front), other = form(back);
     return order_.claim({one, number(front)}, {other, number(back)});
@@ -83,14 +83,7 @@ class MaximumNormLengths {
   NormOrder order_;
 };
 
-class BichromaticPairMaximumNorm final : public Structure {
-  using Value = MaximumNormLengths::Value;
-  auto tied() {
-    return [this](const Value& a, const Value& b) {
-      const auto old = pair_of(a), fresh = pair_of(b);
-      kernel_->report(id_, kTie, {old[0], old[1], fresh[0], fresh[1]}, false);
-    };
-  }
+class BichromaticPairMaximumNorm final : public FrontPair<MaximumNormLengths> {
   auto exchanged() {
     return [this](ObjectId before, ObjectId after) {
       kernel_->report(id_, kOrder, {before, after}, false);
@@ -98,10 +91,8 @@ class BichromaticPairMaximumNorm final : public Structure {
   }
 
  public:
-  // kReplace: another winner of a duel: the old pair and the new one. kTie: the same, because the
-  // lengths have become identically equal. kOrder: two neighbours of a list have changed places:
-  // the one that was in front, the other.
-  enum Kind : std::uint8_t { kReplace, kTie, kOrder };
+  // Two neighbours of a list have changed places: the one that was in front, the other.
+  static constexpr std::uint8_t kOrder = kTie + 1;
 
   BichromaticPairMaximumNorm(Kernel& kernel, StructureId id, const Scene& scene,
                              TwoClasses classes);
@@ -116,9 +107,6 @@ class BichromaticPairMaximumNorm final : public Structure {
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
-  void instant_over() override { events_.over(nearest()); }
-  Attribute attribute() const override { return {Attribute::Shape::kTuples, nearest()}; }
-  Attribute told() const override { return events_.told(); }
   void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
@@ -126,21 +114,12 @@ class BichromaticPairMaximumNorm final : public Structure {
   std::size_t bytes() const override;
 
  private:
-  static std::array<ObjectId, 2> pair_of(const Value& value) {
-    return MaximumNormLengths::form(value).pair();
-  }
-  std::vector<ObjectId> nearest() const;
   void offer(const ConeOffers::Offer& offer, int change);
-  void begin();
   void renew(const std::vector<Value>& values);
 
-  Kernel* kernel_;
-  StructureId id_;
   TwoClasses classes_;
-  ChangingExtremum<MaximumNormLengths> pairs_;
   OfferCounts<Value> counts_;
   ConeOffers offers_;
-  AttributeEvents events_;
 };
 
 }  // namespace kinex

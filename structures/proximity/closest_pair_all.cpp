@@ -4,24 +4,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "structures/parts/tournament_proof.h"
 #include "structures/proximity/static_closest_pair_audit.h"
 
 namespace kinex {
 
 ClosestPairAll::ClosestPairAll(Kernel& kernel, StructureId id, const Scene& scene,
                                std::optional<TwoClasses> classes)
-    : kernel_(&kernel),
-      id_(id),
-      classes_(std::move(classes)),
-      pairs_(kernel, id, "pairs", PairDistances(kernel, scene.dimension)),
-      events_(kernel, id, Attribute::Shape::kTuples) {}
-
-std::vector<ObjectId> ClosestPairAll::closest() const {
-  const Pair* front = pairs_.front();
-  if (front == nullptr) return {};
-  return {(*front)[0], (*front)[1]};
-}
+    : FrontPair(kernel, id, "pairs", "pairs by distance", PairDistances(kernel, scene.dimension)),
+      classes_(std::move(classes)) {}
 
 std::vector<ClosestPairAll::Pair> ClosestPairAll::all_pairs() const {
   std::vector<Pair> all;
@@ -33,25 +23,10 @@ std::vector<ClosestPairAll::Pair> ClosestPairAll::all_pairs() const {
   return all;
 }
 
-void ClosestPairAll::begin() {
-  pairs_.apply(tied());
-  events_.begin(closest());
-}
-
 void ClosestPairAll::build(std::span<const ObjectId> objects) {
   members_.assign(objects.begin(), objects.end());
   pairs_.assign(all_pairs());
   begin();
-}
-
-void ClosestPairAll::rebuild() {
-  pairs_.rebuild(tied());
-  begin();
-}
-
-void ClosestPairAll::certificate_failed(CertificateId failed) {
-  const auto [old, fresh] = pairs_.failed(failed, tied());
-  events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, closest());
 }
 
 void ClosestPairAll::insert(ObjectId object) {
@@ -68,12 +43,6 @@ void ClosestPairAll::erase(ObjectId object) {
     if (counts(object, other)) pairs_.go({std::min(object, other), std::max(object, other)});
   }
   begin();
-}
-
-void ClosestPairAll::visit_proof(ProofVisitor& visitor) const {
-  visit_tournament(visitor, pairs_, 0, "pairs by distance", [](const Pair& winner) {
-    return std::vector<ObjectId>(winner.begin(), winner.end());
-  });
 }
 
 std::vector<BoundCheck> ClosestPairAll::bounds(const BoundContext& context) const {
@@ -95,16 +64,15 @@ std::vector<BoundCheck> ClosestPairAll::bounds(const BoundContext& context) cons
 }
 
 void ClosestPairAll::check_invariants(AuditReport& report) const {
-  pairs_.check(report, "pairs");
+  FrontPair::check_invariants(report);
   report.check(pairs_.values() == all_pairs(),
                [] { return "other pairs than those of its points"; });
-  report.check(closest() == events_.told().ids, [] { return "a change was not reported"; });
 }
 
 void ClosestPairAll::audit(const Snapshot& snapshot, AuditReport& report) const {
   const auto pair =
       static_closest_pair(snapshot, [this](ObjectId a, ObjectId b) { return counts(a, b); });
-  report.check(pair == closest(), [] { return "another pair is the closest"; });
+  report.check(pair == attribute().ids, [] { return "another pair is the closest"; });
 }
 
 }  // namespace kinex

@@ -24,26 +24,14 @@
 #include <vector>
 
 #include "core/engine/structure.h"
-#include "structures/parts/attribute_events.h"
-#include "structures/parts/changing_extremum.h"
+#include "structures/parts/front_pair.h"
 #include "structures/parts/object_sets.h"
 #include "structures/parts/pair_distances.h"
 
 namespace kinex {
 
-class ClosestPairAll final : public Structure {
-  using Pair = PairDistances::Value;
-  auto tied() {
-    return [this](const Pair& a, const Pair& b) {
-      kernel_->report(id_, kTie, {a[0], a[1], b[0], b[1]}, false);
-    };
-  }
-
+class ClosestPairAll final : public FrontPair<PairDistances> {
  public:
-  // kReplace: another winner of a duel: the old pair and the new one. kTie: the same, because the
-  // distances have become identically equal.
-  enum Kind : std::uint8_t { kReplace, kTie };
-
   // `classes`: pairs of two points of different classes alone; nullopt: all pairs.
   ClosestPairAll(Kernel& kernel, StructureId id, const Scene& scene,
                  std::optional<TwoClasses> classes);
@@ -51,41 +39,23 @@ class ClosestPairAll final : public Structure {
   std::string_view name() const override {
     return classes_ ? "bichromatic_pair_all" : "closest_pair_all";
   }
-  std::vector<std::string_view> event_kinds() const override {
-    return common_event_kinds({"replace", "tie"});
-  }
   void build(std::span<const ObjectId> objects) override;
-  void rebuild() override;
-  void certificate_failed(CertificateId failed) override;
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
-  void motions_changed(std::span<const ObjectId> objects) override {
-    pairs_.motions_changed(objects, tied());
-  }
-  void instant_over() override { events_.over(closest()); }
-  Attribute attribute() const override { return {Attribute::Shape::kTuples, closest()}; }
-  Attribute told() const override { return events_.told(); }
-  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override {
-    return members_.capacity() * sizeof(ObjectId) + pairs_.bytes() + events_.bytes() +
+    return members_.capacity() * sizeof(ObjectId) + FrontPair::bytes() +
            (classes_ ? classes_->bytes() : 0);
   }
 
  private:
   bool counts(ObjectId a, ObjectId b) const { return !classes_ || classes_->differ(a, b); }
-  std::vector<ObjectId> closest() const;
   std::vector<Pair> all_pairs() const;
-  void begin();
 
-  Kernel* kernel_;
-  StructureId id_;
   std::optional<TwoClasses> classes_;
   std::vector<ObjectId> members_;  // ascending
-  ChangingExtremum<PairDistances> pairs_;
-  AttributeEvents events_;
 };
 
 }  // namespace kinex

@@ -2,24 +2,20 @@
 #include "structures/proximity/closest_pair_bins.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "structures/parts/tournament_proof.h"
 #include "structures/proximity/static_closest_pair_audit.h"
 
 namespace kinex {
 
+// The grid is the first part in the ledger.
 ClosestPairBins::ClosestPairBins(Kernel& kernel, StructureId id, const Scene& scene)
-    : kernel_(&kernel),
-      id_(id),
-      grid_(kernel, id, FlightBox::of(scene), scene.objects.size(), kReach),
-      pairs_(kernel, id, "pairs", PairDistances(kernel, 2)),
-      events_(kernel, id, Attribute::Shape::kTuples) {}
+    : ClosestPairBins(kernel, id,
+                      PointGrid(kernel, id, FlightBox::of(scene), scene.objects.size(), kReach)) {}
 
-std::vector<ObjectId> ClosestPairBins::closest() const {
-  const Pair* front = pairs_.front();
-  if (front == nullptr) return {};
-  return {(*front)[0], (*front)[1]};
-}
+ClosestPairBins::ClosestPairBins(Kernel& kernel, StructureId id, PointGrid grid)
+    : FrontPair(kernel, id, "pairs", "pairs by distance", PairDistances(kernel, 2)),
+      grid_(std::move(grid)) {}
 
 // ---- the grid
 
@@ -41,11 +37,6 @@ void ClosestPairBins::lay(std::size_t squares) {
   pairs_.assign(near_pairs());
 }
 
-void ClosestPairBins::begin() {
-  pairs_.apply(tied());
-  events_.begin(closest());
-}
-
 // ---- calls
 
 void ClosestPairBins::build(std::span<const ObjectId> objects) {
@@ -56,8 +47,7 @@ void ClosestPairBins::build(std::span<const ObjectId> objects) {
 
 void ClosestPairBins::rebuild() {
   lay(members_.empty() ? 0 : members_.size() - 1);
-  pairs_.rebuild(tied());
-  events_.begin(closest());
+  FrontPair::rebuild();
 }
 
 void ClosestPairBins::insert(ObjectId object) {
@@ -98,19 +88,16 @@ void ClosestPairBins::certificate_failed(CertificateId failed) {
     }
     for (const ObjectId other : after) pairs_.come(pair(other));
     pairs_.apply(tied());
-    return events_.repaired(kCell, {point}, closest());
+    return repaired(kCell, {point});
   }
-  const auto [old, fresh] = pairs_.failed(failed, tied());
-  events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, closest());
+  FrontPair::certificate_failed(failed);
 }
 
 // ---- checks
 
 void ClosestPairBins::visit_proof(ProofVisitor& visitor) const {
   grid_.visit_proof(visitor);
-  visit_tournament(visitor, pairs_, 0, "pairs by distance", [](const Pair& winner) {
-    return std::vector<ObjectId>(winner.begin(), winner.end());
-  });
+  FrontPair::visit_proof(visitor);
 }
 
 std::vector<BoundCheck> ClosestPairBins::bounds(const BoundContext& context) const {
@@ -144,18 +131,17 @@ void ClosestPairBins::check_invariants(AuditReport& report) const {
                [] { return "too many cells for its points"; });
   report.check(pairs_.values() == near_pairs(),
                [] { return "other pairs than those in near cells"; });
-  pairs_.check(report, "pairs");
-  report.check(closest() == events_.told().ids, [] { return "a change was not reported"; });
+  FrontPair::check_invariants(report);
 }
 
 void ClosestPairBins::audit(const Snapshot& snapshot, AuditReport& report) const {
   grid_.audit(snapshot, report);
-  report.check(static_closest_pair(snapshot) == closest(),
+  report.check(static_closest_pair(snapshot) == attribute().ids,
                [] { return "another pair is the closest"; });
 }
 
 std::size_t ClosestPairBins::bytes() const {
-  return grid_.bytes() + pairs_.bytes() + events_.bytes() + members_.capacity() * sizeof(ObjectId);
+  return grid_.bytes() + FrontPair::bytes() + members_.capacity() * sizeof(ObjectId);
 }
 
 }  // namespace kinex

@@ -41,25 +41,16 @@
 #include <vector>
 
 #include "core/engine/structure.h"
-#include "structures/parts/attribute_events.h"
-#include "structures/parts/changing_extremum.h"
+#include "structures/parts/front_pair.h"
 #include "structures/parts/pair_distances.h"
 #include "structures/proximity/point_grid.h"
 
 namespace kinex {
 
-class ClosestPairBins final : public Structure {
-  using Pair = PairDistances::Value;
-  auto tied() {
-    return [this](const Pair& a, const Pair& b) {
-      kernel_->report(id_, kTie, {a[0], a[1], b[0], b[1]}, false);
-    };
-  }
-
+class ClosestPairBins final : public FrontPair<PairDistances> {
  public:
-  // kReplace: another winner of a duel of two pairs: the old one and the new one. kTie: the same,
-  // because the distances have become identically equal. kCell: a point has moved to another cell.
-  enum Kind : std::uint8_t { kReplace, kTie, kCell };
+  // A point has moved to another cell.
+  static constexpr std::uint8_t kCell = kTie + 1;
 
   ClosestPairBins(Kernel& kernel, StructureId id, const Scene& scene);
 
@@ -72,12 +63,6 @@ class ClosestPairBins final : public Structure {
   void certificate_failed(CertificateId failed) override;
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
-  void motions_changed(std::span<const ObjectId> objects) override {
-    pairs_.motions_changed(objects, tied());
-  }
-  void instant_over() override { events_.over(closest()); }
-  Attribute attribute() const override { return {Attribute::Shape::kTuples, closest()}; }
-  Attribute told() const override { return events_.told(); }
   void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
@@ -88,18 +73,13 @@ class ClosestPairBins final : public Structure {
   // Columns and rows between two points that may be the closest of more points than squares.
   static constexpr std::int64_t kReach = 2;
 
-  std::vector<ObjectId> closest() const;
+  ClosestPairBins(Kernel& kernel, StructureId id, PointGrid grid);
   std::vector<Pair> near_pairs() const;
   void lay(std::size_t squares);
-  void begin();
 
-  Kernel* kernel_;
-  StructureId id_;
   PointGrid grid_;
   std::vector<ObjectId> members_;  // ascending
   std::size_t most_lines_ = 0, layings_ = 0;
-  ChangingExtremum<PairDistances> pairs_;
-  AttributeEvents events_;
 };
 
 }  // namespace kinex

@@ -21,73 +21,43 @@
 #include <string_view>
 #include <vector>
 
-#include "structures/parts/attribute_events.h"
-#include "structures/parts/changing_extremum.h"
+#include "structures/parts/front_pair.h"
 #include "structures/parts/pair_distances.h"
 #include "structures/proximity/counted_edges.h"
 
 namespace kinex {
 
-class ClosestPairDelaunay final : public Structure {
-  using Pair = PairDistances::Value;  // two ids, ascending
-  auto tied() {
-    return [this](const Pair& a, const Pair& b) {
-      kernel_->report(id_, kTie, {a[0], a[1], b[0], b[1]}, false);
-    };
-  }
-
+class ClosestPairDelaunay final : public FrontPair<PairDistances> {
  public:
-  // kReplace: another winner of a duel of two edges: the ends of the old one and of the new one.
-  // kTie: the same, because the lengths have become identically equal.
-  enum Kind : std::uint8_t { kReplace, kTie };
-
   // `name`: as registered. The triangulation of the edges, of all points that count, outlives this
   // structure and is watched by it.
   ClosestPairDelaunay(Kernel& kernel, StructureId id, std::string_view name, CountedEdges edges);
 
   std::string_view name() const override { return name_; }
-  std::vector<std::string_view> event_kinds() const override {
-    return common_event_kinds({"replace", "tie"});
-  }
-  void build(std::span<const ObjectId>) override { begin(); }
+  void build(std::span<const ObjectId>) override { read_all(); }
   void rebuild() override {
-    edges_.rebuild(tied());
-    begin();
+    FrontPair::rebuild();
+    read_all();
   }
-  void certificate_failed(CertificateId failed) override;
   // Points come and go in the triangulation.
-  void insert(ObjectId) override { begin(); }
-  void erase(ObjectId) override { begin(); }
-  void motions_changed(std::span<const ObjectId> objects) override {
-    edges_.motions_changed(objects, tied());
-  }
+  void insert(ObjectId) override { read_all(); }
+  void erase(ObjectId) override { read_all(); }
   // The triangulation may have changes that it has not reported yet.
   void instant_settled() override {
     if (kernel_->instant_is_shared(counted_.graph().id())) follow(std::nullopt);
   }
-  void instant_over() override { events_.over(closest()); }
   void watched_changed(const Event* event) override { follow(counted_.told(event)); }
-  Attribute attribute() const override {
-    return {Attribute::Shape::kTuples, {closest().begin(), closest().end()}};
-  }
-  Attribute told() const override { return events_.told(); }
-  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
-  std::size_t bytes() const override { return edges_.bytes() + events_.bytes() + counted_.bytes(); }
+  std::size_t bytes() const override { return FrontPair::bytes() + counted_.bytes(); }
 
  private:
-  std::span<const ObjectId> closest() const;
-  void begin();
+  void read_all();
   void follow(const std::optional<DelaunayEdgeChange>& change);
 
-  Kernel* kernel_;
-  StructureId id_;
   std::string_view name_;
   CountedEdges counted_;
-  ChangingExtremum<PairDistances> edges_;
-  AttributeEvents events_;
 };
 
 }  // namespace kinex

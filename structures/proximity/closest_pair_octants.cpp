@@ -4,29 +4,19 @@
 #include <algorithm>
 #include <string>
 
-#include "structures/parts/tournament_proof.h"
 #include "structures/proximity/static_closest_pair_audit.h"
 
 namespace kinex {
 
 ClosestPairOctants::ClosestPairOctants(Kernel& kernel, StructureId id,
                                        const ConeNeighbours& octants, std::string_view name)
-    : kernel_(&kernel),
-      id_(id),
+    : FrontPair(kernel, id, "pairs", "pairs by distance", PairDistances(kernel, 2), octants.id()),
       octants_(&octants),
-      name_(name),
-      pairs_(kernel, id, "pairs", PairDistances(kernel, 2)),
-      events_(kernel, id, Attribute::Shape::kTuples) {}
+      name_(name) {}
 
-std::span<const ObjectId> ClosestPairOctants::closest() const {
-  const Pair* front = pairs_.front();
-  return front == nullptr ? std::span<const ObjectId>() : std::span<const ObjectId>(*front);
-}
-
-void ClosestPairOctants::begin() {
+void ClosestPairOctants::read_all() {
   pairs_.assign(octants_->pairs());
-  pairs_.apply(tied());
-  events_.begin(closest());
+  begin();
 }
 
 // A pair that an event of the octants names: it is a candidate now, or it is none.
@@ -52,17 +42,6 @@ void ClosestPairOctants::watched_changed(const Event* event) {
   kernel_->settle_later(id_);
 }
 
-void ClosestPairOctants::certificate_failed(CertificateId failed) {
-  const auto [old, fresh] = pairs_.failed(failed, tied());
-  events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, closest(), octants_->id());
-}
-
-void ClosestPairOctants::visit_proof(ProofVisitor& visitor) const {
-  visit_tournament(visitor, pairs_, 0, "pairs by distance", [](const Pair& winner) {
-    return std::vector<ObjectId>(winner.begin(), winner.end());
-  });
-}
-
 std::vector<BoundCheck> ClosestPairOctants::bounds(const BoundContext& context) const {
   const StructureLedger& ledger = *context.ledger;
   const std::size_t n = context.objects();
@@ -83,11 +62,9 @@ std::vector<BoundCheck> ClosestPairOctants::bounds(const BoundContext& context) 
 }
 
 void ClosestPairOctants::check_invariants(AuditReport& report) const {
-  pairs_.check(report, "pairs");
+  FrontPair::check_invariants(report);
   report.check(pairs_.values() == octants_->pairs(),
                [] { return "it has missed a change of the octants"; });
-  report.check(std::ranges::equal(closest(), events_.told().ids),
-               [] { return "a change of the closest pair was not reported"; });
 }
 
 void ClosestPairOctants::audit(const Snapshot& snapshot, AuditReport& report) const {

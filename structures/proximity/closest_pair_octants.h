@@ -24,72 +24,40 @@
 #include <string_view>
 #include <vector>
 
-#include "structures/parts/attribute_events.h"
-#include "structures/parts/changing_extremum.h"
+#include "structures/parts/front_pair.h"
 #include "structures/parts/pair_distances.h"
 #include "structures/proximity/cone_neighbours.h"
 
 namespace kinex {
 
-class ClosestPairOctants final : public Structure {
-  using Pair = PairDistances::Value;
-  auto tied() {
-    return [this](const Pair& a, const Pair& b) {
-      kernel_->report(id_, kTie, {a[0], a[1], b[0], b[1]}, false);
-    };
-  }
-
+class ClosestPairOctants final : public FrontPair<PairDistances> {
  public:
-  // kReplace: another winner of a duel of two pairs: the old one and the new one. kTie: the same,
-  // because the distances have become identically equal.
-  enum Kind : std::uint8_t { kReplace, kTie };
-
   // `octants` outlives this structure and is watched by it. `name`: as registered.
   ClosestPairOctants(Kernel& kernel, StructureId id, const ConeNeighbours& octants,
                      std::string_view name);
 
   std::string_view name() const override { return name_; }
-  std::vector<std::string_view> event_kinds() const override {
-    return common_event_kinds({"replace", "tie"});
-  }
-  void build(std::span<const ObjectId>) override { begin(); }
+  void build(std::span<const ObjectId>) override { read_all(); }
   void rebuild() override {
-    pairs_.rebuild(tied());
-    begin();
+    FrontPair::rebuild();
+    read_all();
   }
-  void certificate_failed(CertificateId failed) override;
   // Points come and go in the octants.
-  void insert(ObjectId) override { begin(); }
-  void erase(ObjectId) override { begin(); }
-  void motions_changed(std::span<const ObjectId> objects) override {
-    pairs_.motions_changed(objects, tied());
-  }
+  void insert(ObjectId) override { read_all(); }
+  void erase(ObjectId) override { read_all(); }
   // A failure of the octants brings several events: their pairs come and go together.
   void instant_settled() override { pairs_.apply(tied()); }
-  void instant_over() override { events_.over(closest()); }
   void watched_changed(const Event* event) override;
-  Attribute attribute() const override {
-    return {Attribute::Shape::kTuples, {closest().begin(), closest().end()}};
-  }
-  Attribute told() const override { return events_.told(); }
-  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
-  std::size_t bytes() const override { return pairs_.bytes() + events_.bytes(); }
 
  private:
-  // The two ids, ascending; empty if there are fewer than two points.
-  std::span<const ObjectId> closest() const;
   void follow(ObjectId a, ObjectId b);
-  void begin();
+  void read_all();
 
-  Kernel* kernel_;
-  StructureId id_;
   const ConeNeighbours* octants_;
   std::string_view name_;
-  ChangingExtremum<PairDistances> pairs_;
-  AttributeEvents events_;
 };
 
 }  // namespace kinex

@@ -3,37 +3,22 @@
 
 #include <algorithm>
 
-#include "structures/parts/tournament_proof.h"
 #include "structures/proximity/static_closest_pair_audit.h"
 
 namespace kinex {
 
 ClosestPairRangeTree::ClosestPairRangeTree(Kernel& kernel, StructureId id, const Scene& scene,
                                            ConeOffers::Cones cones)
-    : kernel_(&kernel),
-      id_(id),
+    : FrontPair(kernel, id, "pairs", "pairs by distance", PairDistances(kernel, 2)),
       cones_(cones),
       kept_(cones == ConeOffers::Cones::kOctants ? KeptPoints::kOne : KeptPoints::kTwo),
-      pairs_(kernel, id, "pairs", PairDistances(kernel, 2)),
       offers_(kernel, id, scene.objects.size(), cones, kept_, nullptr,
               [this](const ConeOffers::Offer& offer, int change) {
                 const auto [first, second] = std::minmax(offer.looker, offer.seen);
                 counts_.count({first, second}, change, pairs_);
-              }),
-      events_(kernel, id, Attribute::Shape::kTuples) {}
-
-std::vector<ObjectId> ClosestPairRangeTree::closest() const {
-  const Pair* front = pairs_.front();
-  if (front == nullptr) return {};
-  return {(*front)[0], (*front)[1]};
-}
+              }) {}
 
 // ---- calls
-
-void ClosestPairRangeTree::begin() {
-  pairs_.apply(tied());
-  events_.begin(closest());
-}
 
 void ClosestPairRangeTree::build(std::span<const ObjectId> objects) {
   offers_.build(objects);
@@ -42,8 +27,7 @@ void ClosestPairRangeTree::build(std::span<const ObjectId> objects) {
 
 void ClosestPairRangeTree::rebuild() {
   offers_.rebuild();
-  pairs_.rebuild(tied());
-  events_.begin(closest());
+  FrontPair::rebuild();
 }
 
 void ClosestPairRangeTree::insert(ObjectId object) {
@@ -59,19 +43,18 @@ void ClosestPairRangeTree::erase(ObjectId object) {
 void ClosestPairRangeTree::certificate_failed(CertificateId failed) {
   if (const auto exchange = offers_.failed(failed)) {
     pairs_.apply(tied());
-    events_.repaired(kOrder, {exchange->before, exchange->after}, closest());
+    repaired(kOrder, {exchange->before, exchange->after});
     offers_.settle(exchange->list, exchanged());
     pairs_.apply(tied());
-    if (closest() != events_.told().ids) kernel_->settle_later(id_);
+    if (!is_told()) kernel_->settle_later(id_);
     return;
   }
-  const auto [old, fresh] = pairs_.failed(failed, tied());
-  events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, closest());
+  FrontPair::certificate_failed(failed);
 }
 
 void ClosestPairRangeTree::motions_changed(std::span<const ObjectId> objects) {
   offers_.motions_changed(objects, exchanged());
-  pairs_.motions_changed(objects, tied());
+  FrontPair::motions_changed(objects);
   pairs_.apply(tied());
 }
 
@@ -79,9 +62,7 @@ void ClosestPairRangeTree::motions_changed(std::span<const ObjectId> objects) {
 
 void ClosestPairRangeTree::visit_proof(ProofVisitor& visitor) const {
   offers_.visit_proof(visitor);
-  visit_tournament(visitor, pairs_, 0, "pairs by distance", [](const Pair& winner) {
-    return std::vector<ObjectId>(winner.begin(), winner.end());
-  });
+  FrontPair::visit_proof(visitor);
 }
 
 std::vector<BoundCheck> ClosestPairRangeTree::bounds(const BoundContext& context) const {
@@ -115,17 +96,16 @@ std::vector<BoundCheck> ClosestPairRangeTree::bounds(const BoundContext& context
 void ClosestPairRangeTree::check_invariants(AuditReport& report) const {
   offers_.check(report);
   report.check(pairs_.values() == counts_.values(), [] { return "pairs that no tree offers"; });
-  pairs_.check(report, "pairs");
-  report.check(closest() == events_.told().ids, [] { return "a change was not reported"; });
+  FrontPair::check_invariants(report);
 }
 
 void ClosestPairRangeTree::audit(const Snapshot& snapshot, AuditReport& report) const {
-  report.check(static_closest_pair(snapshot) == closest(),
+  report.check(static_closest_pair(snapshot) == attribute().ids,
                [] { return "another pair is the closest"; });
 }
 
 std::size_t ClosestPairRangeTree::bytes() const {
-  return offers_.bytes() + counts_.bytes() + pairs_.bytes() + events_.bytes();
+  return offers_.bytes() + counts_.bytes() + FrontPair::bytes();
 }
 
 }  // namespace kinex

@@ -37,21 +37,14 @@
 #include <vector>
 
 #include "core/engine/structure.h"
-#include "structures/parts/attribute_events.h"
-#include "structures/parts/changing_extremum.h"
+#include "structures/parts/front_pair.h"
 #include "structures/parts/pair_distances.h"
 #include "structures/proximity/cone_offers.h"
 #include "structures/proximity/offer_counts.h"
 
 namespace kinex {
 
-class ClosestPairRangeTree final : public Structure {
-  using Pair = PairDistances::Value;
-  auto tied() {
-    return [this](const Pair& a, const Pair& b) {
-      kernel_->report(id_, kTie, {a[0], a[1], b[0], b[1]}, false);
-    };
-  }
+class ClosestPairRangeTree final : public FrontPair<PairDistances> {
   auto exchanged() {
     return [this](ObjectId before, ObjectId after) {
       kernel_->report(id_, kOrder, {before, after}, false);
@@ -59,10 +52,8 @@ class ClosestPairRangeTree final : public Structure {
   }
 
  public:
-  // kReplace: another winner of a duel: the old pair and the new one. kTie: the same, because the
-  // distances have become identically equal. kOrder: two neighbours of a list have changed places:
-  // the one that was in front, the other.
-  enum Kind : std::uint8_t { kReplace, kTie, kOrder };
+  // Two neighbours of a list have changed places: the one that was in front, the other.
+  static constexpr std::uint8_t kOrder = kTie + 1;
 
   ClosestPairRangeTree(Kernel& kernel, StructureId id, const Scene& scene, ConeOffers::Cones cones);
 
@@ -76,9 +67,6 @@ class ClosestPairRangeTree final : public Structure {
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
-  void instant_over() override { events_.over(closest()); }
-  Attribute attribute() const override { return {Attribute::Shape::kTuples, closest()}; }
-  Attribute told() const override { return events_.told(); }
   void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
@@ -86,17 +74,10 @@ class ClosestPairRangeTree final : public Structure {
   std::size_t bytes() const override;
 
  private:
-  std::vector<ObjectId> closest() const;
-  void begin();
-
-  Kernel* kernel_;
-  StructureId id_;
   ConeOffers::Cones cones_;
   KeptPoints kept_;
-  ChangingExtremum<PairDistances> pairs_;
   OfferCounts<Pair> counts_;
   ConeOffers offers_;
-  AttributeEvents events_;
 };
 
 }  // namespace kinex
