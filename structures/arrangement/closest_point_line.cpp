@@ -15,34 +15,26 @@ ClosestPointLine::ClosestPointLine(Kernel& kernel, StructureId id, const Scene& 
       measure_(measure) {}
 
 std::vector<ClosestPointLine::Pair> ClosestPointLine::all_pairs() const {
-  std::vector<Pair> all;
-  for (std::size_t i = 0; i < members_.size(); ++i) {
-    for (std::size_t j = i + 1; j < members_.size(); ++j) {
-      if (is_pair(members_[i], members_[j])) all.push_back({members_[i], members_[j]});
-    }
-  }
-  return all;
+  return members_.all([this](ObjectId a, ObjectId b) { return is_pair(a, b); });
 }
 
 void ClosestPointLine::build(std::span<const ObjectId> objects) {
-  members_.assign(objects.begin(), objects.end());
+  members_.assign(objects);
   pairs_.assign(all_pairs());
   begin();
 }
 
 void ClosestPointLine::insert(ObjectId object) {
-  for (const ObjectId other : members_) {
-    if (is_pair(object, other)) pairs_.come({std::min(object, other), std::max(object, other)});
-  }
-  members_.insert(std::lower_bound(members_.begin(), members_.end(), object), object);
+  members_.insert(object, [this](const Pair& pair) {
+    if (is_pair(pair[0], pair[1])) pairs_.come(pair);
+  });
   begin();
 }
 
 void ClosestPointLine::erase(ObjectId object) {
-  members_.erase(std::lower_bound(members_.begin(), members_.end(), object));
-  for (const ObjectId other : members_) {
-    if (is_pair(object, other)) pairs_.go({std::min(object, other), std::max(object, other)});
-  }
+  members_.erase(object, [this](const Pair& pair) {
+    if (is_pair(pair[0], pair[1])) pairs_.go(pair);
+  });
   begin();
 }
 

@@ -33,6 +33,7 @@
 #include "core/engine/structure.h"
 #include "structures/arrangement/line_distances.h"
 #include "structures/parts/front_pair.h"
+#include "structures/parts/member_pairs.h"
 
 namespace kinex {
 
@@ -50,7 +51,7 @@ class ClosestPointLine final : public FrontPair<LineDistances> {
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override {
-    return members_.capacity() * sizeof(ObjectId) + FrontPair::bytes() + pairs_.claims().bytes();
+    return members_.bytes() + FrontPair::bytes() + pairs_.claims().bytes();
   }
 
  private:
@@ -64,7 +65,7 @@ class ClosestPointLine final : public FrontPair<LineDistances> {
   std::vector<Pair> all_pairs() const;
 
   LineMeasure measure_;
-  std::vector<ObjectId> members_;  // ascending
+  MemberPairs members_;
 };
 
 }  // namespace kinex

@@ -8,28 +8,18 @@
 namespace kinex {
 
 void DiameterAllPairs::build(std::span<const ObjectId> objects) {
-  members_.assign(objects.begin(), objects.end());
-  std::vector<Pair> all;
-  for (std::size_t i = 0; i < members_.size(); ++i) {
-    for (std::size_t j = i + 1; j < members_.size(); ++j) all.push_back({members_[i], members_[j]});
-  }
-  pairs_.assign(all);
+  members_.assign(objects);
+  pairs_.assign(members_.all([](ObjectId, ObjectId) { return true; }));
   begin();
 }
 
 void DiameterAllPairs::insert(ObjectId object) {
-  for (const ObjectId other : members_) {
-    pairs_.come({std::min(object, other), std::max(object, other)});
-  }
-  members_.insert(std::lower_bound(members_.begin(), members_.end(), object), object);
+  members_.insert(object, [this](const Pair& pair) { pairs_.come(pair); });
   begin();
 }
 
 void DiameterAllPairs::erase(ObjectId object) {
-  members_.erase(std::lower_bound(members_.begin(), members_.end(), object));
-  for (const ObjectId other : members_) {
-    pairs_.go({std::min(object, other), std::max(object, other)});
-  }
+  members_.erase(object, [this](const Pair& pair) { pairs_.go(pair); });
   begin();
 }
 
@@ -52,9 +42,7 @@ std::vector<BoundCheck> DiameterAllPairs::bounds(const BoundContext& context) co
 
 void DiameterAllPairs::check_invariants(AuditReport& report) const {
   FrontPair::check_invariants(report);
-  const std::size_t n = members_.size();
-  report.check(pairs_.size() == (n == 0 ? 0 : n * (n - 1) / 2),
-               [] { return "a wrong number of pairs"; });
+  report.check(pairs_.size() == members_.pairs(), [] { return "a wrong number of pairs"; });
 }
 
 void DiameterAllPairs::audit(const Snapshot& snapshot, AuditReport& report) const {

@@ -21,6 +21,7 @@
 
 #include "core/engine/structure.h"
 #include "structures/parts/front_pair.h"
+#include "structures/parts/member_pairs.h"
 #include "structures/parts/pair_distances.h"
 
 namespace kinex {
@@ -49,12 +50,10 @@ class DiameterAllPairs final : public FrontPair<FarPairs> {
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
-  std::size_t bytes() const override {
-    return members_.capacity() * sizeof(ObjectId) + FrontPair::bytes();
-  }
+  std::size_t bytes() const override { return members_.bytes() + FrontPair::bytes(); }
 
  private:
-  std::vector<ObjectId> members_;  // ascending
+  MemberPairs members_;
 };
 
 }  // namespace kinex

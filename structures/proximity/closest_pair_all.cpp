@@ -14,34 +14,26 @@ ClosestPairAll::ClosestPairAll(Kernel& kernel, StructureId id, const Scene& scen
       classes_(std::move(classes)) {}
 
 std::vector<ClosestPairAll::Pair> ClosestPairAll::all_pairs() const {
-  std::vector<Pair> all;
-  for (std::size_t i = 0; i < members_.size(); ++i) {
-    for (std::size_t j = i + 1; j < members_.size(); ++j) {
-      if (counts(members_[i], members_[j])) all.push_back({members_[i], members_[j]});
-    }
-  }
-  return all;
+  return members_.all([this](ObjectId a, ObjectId b) { return counts(a, b); });
 }
 
 void ClosestPairAll::build(std::span<const ObjectId> objects) {
-  members_.assign(objects.begin(), objects.end());
+  members_.assign(objects);
   pairs_.assign(all_pairs());
   begin();
 }
 
 void ClosestPairAll::insert(ObjectId object) {
-  for (const ObjectId other : members_) {
-    if (counts(object, other)) pairs_.come({std::min(object, other), std::max(object, other)});
-  }
-  members_.insert(std::lower_bound(members_.begin(), members_.end(), object), object);
+  members_.insert(object, [this](const Pair& pair) {
+    if (counts(pair[0], pair[1])) pairs_.come(pair);
+  });
   begin();
 }
 
 void ClosestPairAll::erase(ObjectId object) {
-  members_.erase(std::lower_bound(members_.begin(), members_.end(), object));
-  for (const ObjectId other : members_) {
-    if (counts(object, other)) pairs_.go({std::min(object, other), std::max(object, other)});
-  }
+  members_.erase(object, [this](const Pair& pair) {
+    if (counts(pair[0], pair[1])) pairs_.go(pair);
+  });
   begin();
 }
 

@@ -25,6 +25,7 @@
 
 #include "core/engine/structure.h"
 #include "structures/parts/front_pair.h"
+#include "structures/parts/member_pairs.h"
 #include "structures/parts/object_sets.h"
 #include "structures/parts/pair_distances.h"
 
@@ -46,8 +47,7 @@ class ClosestPairAll final : public FrontPair<PairDistances> {
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override {
-    return members_.capacity() * sizeof(ObjectId) + FrontPair::bytes() +
-           (classes_ ? classes_->bytes() : 0);
+    return members_.bytes() + FrontPair::bytes() + (classes_ ? classes_->bytes() : 0);
   }
 
  private:
@@ -55,7 +55,7 @@ class ClosestPairAll final : public FrontPair<PairDistances> {
   std::vector<Pair> all_pairs() const;
 
   std::optional<TwoClasses> classes_;
-  std::vector<ObjectId> members_;  // ascending
+  MemberPairs members_;
 };
 
 }  // namespace kinex

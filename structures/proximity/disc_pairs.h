@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "core/engine/structure.h"
+#include "structures/parts/member_pairs.h"
 #include "structures/proximity/box_overlaps.h"
 #include "structures/proximity/disc_claims.h"
 #include "structures/proximity/meeting_events.h"
@@ -45,7 +46,7 @@ class DiscPairsAll final : public Structure {
     return common_event_kinds({"meet", "part", "change", "tie"});
   }
   void build(std::span<const ObjectId> objects) override;
-  void rebuild() override { build(std::vector<ObjectId>(members_)); }
+  void rebuild() override { build(std::vector<ObjectId>(members_.members())); }
   void certificate_failed(CertificateId failed) override;
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
@@ -60,11 +61,11 @@ class DiscPairsAll final : public Structure {
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override {
-    return members_.capacity() * sizeof(ObjectId) + claims_.bytes() + events_.bytes();
+    return members_.bytes() + claims_.bytes() + events_.bytes();
   }
 
  private:
-  std::vector<ObjectId> members_;  // ascending
+  MemberPairs members_;
   DiscClaims claims_;
   MeetingEvents events_;
 };

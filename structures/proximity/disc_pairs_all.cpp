@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-
 #include "structures/proximity/disc_pairs.h"
 #include "structures/proximity/meeting_bounds.h"
 
 namespace kinex {
 
 void DiscPairsAll::build(std::span<const ObjectId> objects) {
-  members_.clear();
+  members_.assign({});
   claims_.clear();
   for (const ObjectId object : objects) insert(object);
 }
@@ -19,18 +17,12 @@ void DiscPairsAll::certificate_failed(CertificateId failed) {
 }
 
 void DiscPairsAll::insert(ObjectId object) {
-  for (const ObjectId other : members_) {
-    claims_.add({std::min(object, other), std::max(object, other)});
-  }
-  members_.insert(std::lower_bound(members_.begin(), members_.end(), object), object);
+  members_.insert(object, [this](const DiscClaims::Pair& pair) { claims_.add(pair); });
   events_.begin();
 }
 
 void DiscPairsAll::erase(ObjectId object) {
-  members_.erase(std::lower_bound(members_.begin(), members_.end(), object));
-  for (const ObjectId other : members_) {
-    claims_.remove({std::min(object, other), std::max(object, other)});
-  }
+  members_.erase(object, [this](const DiscClaims::Pair& pair) { claims_.remove(pair); });
   events_.begin();
 }
 
@@ -54,8 +46,7 @@ std::vector<BoundCheck> DiscPairsAll::bounds(const BoundContext& context) const 
 
 void DiscPairsAll::check_invariants(AuditReport& report) const {
   claims_.check(report);
-  const std::size_t n = members_.size();
-  report.check(claims_.size() == n * (n - (n > 0 ? 1 : 0)) / 2,
+  report.check(claims_.size() == members_.pairs(),
                [] { return "another number of pairs than there are"; });
   report.check(!events_.any(), [] { return "a change of the pairs was not reported"; });
 }
