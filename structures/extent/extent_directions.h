@@ -37,27 +37,17 @@
 #define KINEX_STRUCTURES_EXTENT_EXTENT_DIRECTIONS_H
 
 #include <algorithm>
-#include <memory>
-#include <span>
 #include <string_view>
 #include <vector>
 
-#include "core/engine/structure.h"
 #include "predicates/points/unit_directions_3.h"
-#include "structures/extent/direction_maxima.h"
+#include "structures/extent/best_direction.h"
 #include "structures/extent/extent_claims.h"
-#include "structures/parts/attribute_events.h"
-#include "structures/parts/changing_extremum.h"
 
 namespace kinex {
 
-class ExtentDirections final : public Structure {
+class ExtentDirections final : public BestDirection<ExtentClaims> {
  public:
-  // kReplace: in a direction, or in a duel of its tournament, another object is ahead: the old one,
-  // the new one. kOvertake: another extent wins a duel: high and low of the old one, then of the
-  // new one. kTie: either of these, because the two have become identically level.
-  enum Kind : std::uint8_t { kReplace, kOvertake, kTie };
-
   // k >= 1. kMaximum: the diameter, in the plane or in space, where more than kMostInSpace counts as
   // that; kMinimum: the width in the plane. Throws std::invalid_argument for another dimension.
   static constexpr int kMostInSpace = 6;
@@ -70,56 +60,14 @@ class ExtentDirections final : public Structure {
   std::string_view name() const override {
     return maximum() ? "diameter_directions" : "width_directions";
   }
-  std::vector<std::string_view> event_kinds() const override {
-    return common_event_kinds({"replace", "overtake", "tie"});
-  }
-  void build(std::span<const ObjectId> objects) override;
-  void rebuild() override;
-  void certificate_failed(CertificateId failed) override;
-  void insert(ObjectId object) override;
-  void erase(ObjectId object) override;
-  void motions_changed(std::span<const ObjectId> objects) override;
-  void instant_over() override { events_.over(ends()); }
-  int largest_motion_degree() const override { return maxima_->largest_motion_degree(); }
-  Attribute attribute() const override { return {Attribute::Shape::kTuples, ends()}; }
-  Attribute told() const override { return events_.told(); }
-  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
-  void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
-  std::size_t bytes() const override {
-    return maxima_->bytes() + extents_.bytes() + events_.bytes() +
-           current_.capacity() * sizeof(ExtentClaims::Value);
-  }
 
  private:
-  using Value = ExtentClaims::Value;
-  DirectionMaxima::Tied level() {
-    return [this](const DirectionMaxima::Duel& duel) {
-      kernel_->report(id_, kTie, {duel.before, duel.after}, false);
-    };
-  }
-  auto equal() {
-    return [this](const Value& a, const Value& b) {
-      kernel_->report(id_, kTie, {a[1], a[2], b[1], b[2]}, false);
-    };
-  }
-  bool maximum() const { return extents_.claims().extremum() == Extremum::kMaximum; }
-  std::size_t half() const { return maxima_->size() / 2; }
-  Value extent(std::size_t i) const;
-  bool is_point(const Value& extent) const { return extent[1] == extent[2]; }
-  void read(std::size_t i);
-  void read_all();
-  std::vector<ObjectId> ends() const;
-  void begin();
+  bool maximum() const { return values().claims().extremum() == Extremum::kMaximum; }
+  std::vector<ObjectId> best() const override;
 
-  Kernel* kernel_;
-  StructureId id_;
   int k_, dimension_;
-  std::unique_ptr<DirectionMaxima> maxima_;
-  ChangingExtremum<ExtentClaims> extents_;
-  std::vector<Value> current_;  // by direction, those that are in extents_ and those of one object
-  AttributeEvents events_;
 };
 
 }  // namespace kinex

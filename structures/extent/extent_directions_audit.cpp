@@ -32,7 +32,8 @@ void ExtentDirections::audit(const Snapshot& snapshot, AuditReport& report) cons
     expected.clear();
     if (!extent.is_zero()) expected = {std::min(high, low), std::max(high, low)};
   }
-  report.check(expected == ends(), [] { return std::string("another extent is the best"); });
+  report.check(expected == attribute().ids,
+               [] { return std::string("another extent is the best"); });
   // In space the farthest pair is that of all pairs.
   const std::vector<ObjectId> hull = dimension_ == 2 ? exact_hull(snapshot, all) : all;
   const Rational diameter = squared_diameter(snapshot, hull), square = best * best;

@@ -35,26 +35,16 @@
 #ifndef KINEX_STRUCTURES_EXTENT_RECTANGLE_DIRECTIONS_H
 #define KINEX_STRUCTURES_EXTENT_RECTANGLE_DIRECTIONS_H
 
-#include <memory>
-#include <span>
 #include <string_view>
 #include <vector>
 
-#include "core/engine/structure.h"
+#include "structures/extent/best_direction.h"
 #include "structures/extent/box_claims.h"
-#include "structures/extent/direction_maxima.h"
-#include "structures/parts/attribute_events.h"
-#include "structures/parts/changing_extremum.h"
 
 namespace kinex {
 
-class RectangleDirections final : public Structure {
+class RectangleDirections final : public BestDirection<BoxClaims> {
  public:
-  // kReplace: in a direction, or in a duel of its tournament, another object is ahead: the old one,
-  // the new one. kOvertake: another box wins a duel: the four objects of the old one, then those of
-  // the new one. kTie: either of these, because the two have become identically level.
-  enum Kind : std::uint8_t { kReplace, kOvertake, kTie };
-
   // k >= 1.
   RectangleDirections(Kernel& kernel, StructureId id, const Scene& scene, int k,
                       BoxMeasure measure);
@@ -62,60 +52,15 @@ class RectangleDirections final : public Structure {
   std::string_view name() const override {
     return is_area() ? "min_area_rectangle_directions" : "min_perimeter_rectangle_directions";
   }
-  std::vector<std::string_view> event_kinds() const override {
-    return common_event_kinds({"replace", "overtake", "tie"});
-  }
-  void build(std::span<const ObjectId> objects) override;
-  void rebuild() override;
-  void certificate_failed(CertificateId failed) override;
-  void insert(ObjectId object) override;
-  void erase(ObjectId object) override;
-  void motions_changed(std::span<const ObjectId> objects) override;
-  void instant_over() override { events_.over(touched()); }
-  int largest_motion_degree() const override { return maxima_->largest_motion_degree(); }
-  Attribute attribute() const override { return {Attribute::Shape::kSequence, touched()}; }
-  Attribute told() const override { return events_.told(); }
-  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
-  void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
-  std::size_t bytes() const override {
-    return maxima_->bytes() + boxes_.bytes() + events_.bytes() +
-           current_.capacity() * sizeof(BoxClaims::Value);
-  }
 
  private:
-  using Value = BoxClaims::Value;
-  DirectionMaxima::Tied level() {
-    return [this](const DirectionMaxima::Duel& duel) {
-      kernel_->report(id_, kTie, {duel.before, duel.after}, false);
-    };
-  }
-  auto equal() {
-    return [this](const Value& a, const Value& b) {
-      kernel_->report(id_, kTie, {a[1], a[2], a[3], a[4], b[1], b[2], b[3], b[4]}, false);
-    };
-  }
-  bool is_area() const { return boxes_.claims().measure() == BoxMeasure::kArea; }
-  std::size_t boxes() const { return maxima_->size() / 4; }
-  Value box(std::size_t i) const;
-  // Then all points are.
-  bool is_point(const Value& box) const {
-    return box[1] == box[2] && box[1] == box[3] && box[1] == box[4];
-  }
-  void read(std::size_t i);
-  void read_all();
-  std::vector<ObjectId> touched() const;
-  void begin();
+  bool is_area() const { return values().claims().measure() == BoxMeasure::kArea; }
+  std::vector<ObjectId> best() const override;
   Integer most_changes(const Integer& n) const;  // of the rectangle, for n points in linear motion
 
-  Kernel* kernel_;
-  StructureId id_;
   int k_;
-  std::unique_ptr<DirectionMaxima> maxima_;
-  ChangingExtremum<BoxClaims> boxes_;
-  std::vector<Value> current_;  // by direction, those that are in boxes_ and those of one object
-  AttributeEvents events_;
 };
 
 }  // namespace kinex

@@ -32,9 +32,9 @@ void RectangleDirections::audit(const Snapshot& snapshot, AuditReport& report) c
   const std::vector<DirectionVector> directions = unit_directions_2(k_);
   std::vector<ObjectId> expected;
   Rational best;
-  for (std::size_t i = 0; i < boxes(); ++i) {
+  for (std::size_t i = 0; i < count(); ++i) {
     const Extent along = extent_along(directions[i], snapshot);
-    const Extent across = extent_along(directions[i + boxes()], snapshot);
+    const Extent across = extent_along(directions[i + count()], snapshot);
     const Rational size =
         is_area() ? along.length * across.length : along.length + across.length;
     if (i != 0 && !(size < best)) continue;
@@ -42,7 +42,8 @@ void RectangleDirections::audit(const Snapshot& snapshot, AuditReport& report) c
     expected = {along.high, along.low, across.high, across.low};
     if (along.length.is_zero() && across.length.is_zero()) expected.clear();
   }
-  report.check(expected == touched(), [] { return std::string("another box is the smallest"); });
+  report.check(expected == attribute().ids,
+               [] { return std::string("another box is the smallest"); });
   const std::vector<ObjectId> hull = exact_hull(snapshot, living(snapshot));
   const Rational square(Integer(k_) * Integer(k_)), one(1);
   const auto beyond = [] { return std::string("the rectangle is beyond its guarantee"); };
