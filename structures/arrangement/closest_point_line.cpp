@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/arrangement/closest_point_line.h"
 
-#include <algorithm>
-#include <string>
-
 #include "structures/arrangement/line_bounds.h"
 
 namespace kinex {
@@ -39,22 +36,10 @@ void ClosestPointLine::erase(ObjectId object) {
 }
 
 std::vector<BoundCheck> ClosestPointLine::bounds(const BoundContext& context) const {
-  const StructureLedger& ledger = *context.ledger;
-  const std::string own(name());
   const LinesAndPoints both(context, pairs_.claims().is_line());
   const Integer all = counted(both.lines.size()) * counted(both.points.size());
-  const int degree = degree_of_claims(context.degree);
-  std::vector<BoundCheck> result{
-      at_most(own + ".certificates", "a tournament of all pairs of a line and a point",
-              std::max(Integer(0), all - Integer(1)), counted(ledger.max_live)),
-      at_most(own + ".events", "the epochs of the nodes of the tournament",
-              pairs_.most_failures(degree), counted(ledger.failures))};
-  if (context.plain() && all.sign() > 0) {
-    result.push_back(
-        at_most(own + ".external", "pieces of the lower envelope of the distances of all pairs",
-                davenport_schinzel_bound(degree, all) - Integer(1), counted(ledger.external)));
-  }
-  return result;
+  return tournament_bounds(context, all, "a tournament of all pairs of a line and a point",
+                           degree_of_claims(context.degree), all);
 }
 
 void ClosestPointLine::check_invariants(AuditReport& report) const {

@@ -25,7 +25,6 @@
 #ifndef KINEX_STRUCTURES_ARRANGEMENT_CLOSEST_POINT_LINE_H
 #define KINEX_STRUCTURES_ARRANGEMENT_CLOSEST_POINT_LINE_H
 
-#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/extent/diameter_all_pairs.h"
 
-#include <algorithm>
-
 #include "structures/extent/farthest_pair_audit.h"
 
 namespace kinex {
@@ -24,20 +22,9 @@ void DiameterAllPairs::erase(ObjectId object) {
 }
 
 std::vector<BoundCheck> DiameterAllPairs::bounds(const BoundContext& context) const {
-  const StructureLedger& ledger = *context.ledger;
   const Integer all = kinex::pairs(counted(context.objects()));
-  std::vector<BoundCheck> result{
-      at_most("diameter_all_pairs.certificates", "a tournament of all pairs",
-              std::max(Integer(0), all - Integer(1)), counted(ledger.max_live)),
-      at_most("diameter_all_pairs.events", "the epochs of the nodes of the tournament",
-              pairs_.most_failures(2 * context.degree), counted(ledger.failures))};
-  if (context.plain() && context.objects() > 1) {
-    result.push_back(at_most("diameter_all_pairs.external",
-                             "pieces of the upper envelope of the distances of all pairs",
-                             davenport_schinzel_bound(2 * context.degree, all) - Integer(1),
-                             counted(ledger.external)));
-  }
-  return result;
+  return tournament_bounds(context, all, "a tournament of all pairs", 2 * context.degree, all,
+                           "upper");
 }
 
 void DiameterAllPairs::check_invariants(AuditReport& report) const {

@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/engine/bound.h"
 #include "core/engine/kernel.h"
 #include "core/engine/structure.h"
 #include "structures/parts/attribute_events.h"
@@ -105,6 +106,27 @@ class FrontPair : public Structure {
   void replaced(const Duel& duel) {
     const Pair old = pair_of(duel.before), fresh = pair_of(duel.after);
     repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]});
+  }
+  // The bounds of a structure that has a tournament and nothing else. `most`: pairs in it, because of
+  // `why`. `degree`: of the claims. `all`: the pairs that can be in front. `envelope`: of their
+  // distances, the lower one or the upper one.
+  std::vector<BoundCheck> tournament_bounds(const BoundContext& context, const Integer& most,
+                                            const std::string& why, int degree, const Integer& all,
+                                            const std::string& envelope = "lower") const {
+    const StructureLedger& ledger = *context.ledger;
+    const std::string own(name());
+    std::vector<BoundCheck> result{
+        at_most(own + ".certificates", why, std::max(Integer(0), most - Integer(1)),
+                counted(ledger.max_live)),
+        at_most(own + ".events", "the epochs of the nodes of the tournament",
+                pairs_.most_failures(degree), counted(ledger.failures))};
+    if (context.plain() && all.sign() > 0) {
+      result.push_back(
+          at_most(own + ".external",
+                  "pieces of the " + envelope + " envelope of the distances of all pairs",
+                  davenport_schinzel_bound(degree, all) - Integer(1), counted(ledger.external)));
+    }
+    return result;
   }
   // The pair is as last reported.
   bool is_told() const { return std::ranges::equal(ids(front()), events_.told().ids); }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/proximity/closest_pair_all.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "structures/proximity/static_closest_pair_audit.h"
@@ -38,21 +37,9 @@ void ClosestPairAll::erase(ObjectId object) {
 }
 
 std::vector<BoundCheck> ClosestPairAll::bounds(const BoundContext& context) const {
-  const StructureLedger& ledger = *context.ledger;
-  const std::string own(name());
   const Integer all = classes_ ? counted(classes_->size(0)) * counted(classes_->size(1))
                                : kinex::pairs(counted(context.objects()));
-  std::vector<BoundCheck> result{
-      at_most(own + ".certificates", "a tournament of all pairs",
-              std::max(Integer(0), all - Integer(1)), counted(ledger.max_live)),
-      at_most(own + ".events", "the epochs of the nodes of the tournament",
-              pairs_.most_failures(2 * context.degree), counted(ledger.failures))};
-  if (context.plain() && all.sign() > 0) {
-    result.push_back(at_most(
-        own + ".external", "pieces of the lower envelope of the distances of all pairs",
-        davenport_schinzel_bound(2 * context.degree, all) - Integer(1), counted(ledger.external)));
-  }
-  return result;
+  return tournament_bounds(context, all, "a tournament of all pairs", 2 * context.degree, all);
 }
 
 void ClosestPairAll::check_invariants(AuditReport& report) const {

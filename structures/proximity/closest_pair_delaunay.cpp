@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/proximity/closest_pair_delaunay.h"
 
-#include <algorithm>
-#include <string>
 #include <utility>
 
 #include "structures/proximity/static_closest_pair_audit.h"
@@ -33,22 +31,9 @@ void ClosestPairDelaunay::follow(const std::optional<DelaunayEdgeChange>& change
 }
 
 std::vector<BoundCheck> ClosestPairDelaunay::bounds(const BoundContext& context) const {
-  const StructureLedger& ledger = *context.ledger;
-  const std::string own(name_);
   const CountedEdges::Most most = counted_.most(context.objects());
-  std::vector<BoundCheck> result{
-      at_most(own + ".certificates", most.why, counted(std::max<std::size_t>(1, most.edges) - 1),
-              counted(ledger.max_live)),
-      at_most(own + ".events", "the epochs of the nodes of the tournament",
-              pairs_.most_failures(2 * context.degree), counted(ledger.failures))};
-  const Integer pairs = counted_.most_pairs(context.objects());
-  if (context.plain() && pairs.sign() > 0) {
-    const Integer envelope = davenport_schinzel_bound(2 * context.degree, pairs);
-    result.push_back(at_most(own + ".external",
-                             "pieces of the lower envelope of the distances of all pairs",
-                             envelope - Integer(1), counted(ledger.external)));
-  }
-  return result;
+  return tournament_bounds(context, counted(most.edges), most.why, 2 * context.degree,
+                           counted_.most_pairs(context.objects()));
 }
 
 void ClosestPairDelaunay::check_invariants(AuditReport& report) const {

@@ -2,7 +2,6 @@
 #include "structures/proximity/closest_pair_octants.h"
 
 #include <algorithm>
-#include <string>
 
 #include "structures/proximity/static_closest_pair_audit.h"
 
@@ -43,22 +42,11 @@ void ClosestPairOctants::watched_changed(const Event* event) {
 }
 
 std::vector<BoundCheck> ClosestPairOctants::bounds(const BoundContext& context) const {
-  const StructureLedger& ledger = *context.ledger;
   const std::size_t n = context.objects();
-  const std::string own(name_);
   const Integer all = kinex::pairs(counted(n));
-  const Integer most = std::min(all, counted(4 * n));
-  std::vector<BoundCheck> result{
-      at_most(own + ".certificates", "a tournament of at most four pairs a point, or all pairs",
-              most.sign() > 0 ? most - Integer(1) : Integer(0), counted(ledger.max_live)),
-      at_most(own + ".events", "the epochs of the nodes of the tournament",
-              pairs_.most_failures(2 * context.degree), counted(ledger.failures))};
-  if (context.plain() && all.sign() > 0) {
-    result.push_back(at_most(
-        own + ".external", "pieces of the lower envelope of the distances of all pairs",
-        davenport_schinzel_bound(2 * context.degree, all) - Integer(1), counted(ledger.external)));
-  }
-  return result;
+  return tournament_bounds(context, std::min(all, counted(4 * n)),
+                           "a tournament of at most four pairs a point, or all pairs",
+                           2 * context.degree, all);
 }
 
 void ClosestPairOctants::check_invariants(AuditReport& report) const {

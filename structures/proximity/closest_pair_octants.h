@@ -19,7 +19,6 @@
 #ifndef KINEX_STRUCTURES_PROXIMITY_CLOSEST_PAIR_OCTANTS_H
 #define KINEX_STRUCTURES_PROXIMITY_CLOSEST_PAIR_OCTANTS_H
 
-#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
