@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ShiftingPairs: the closest of a set of pairs of points that changes all the time, for tests of
-// ChangingExtremum: whenever a certificate fails, pairs of a random choice come and go.
+// ChangingExtremum and FrontPair: whenever a certificate fails, pairs of a random choice come and go.
 #ifndef KINEX_TESTS_STRUCTURES_PARTS_SHIFTING_PAIRS_H
 #define KINEX_TESTS_STRUCTURES_PARTS_SHIFTING_PAIRS_H
 
@@ -15,51 +15,31 @@
 #include <vector>
 
 #include "core/engine/structure.h"
-#include "structures/parts/attribute_events.h"
-#include "structures/parts/changing_extremum.h"
+#include "structures/parts/front_pair.h"
 #include "structures/parts/pair_distances.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
 
-class ShiftingPairs final : public Structure {
-  using Pair = PairDistances::Value;
-  auto tied() {
-    return [this](const Pair& a, const Pair& b) {
-      kernel_->report(id_, kTie, {a[0], a[1], b[0], b[1]}, false);
-    };
-  }
-
+class ShiftingPairs final : public FrontPair<PairDistances> {
  public:
-  enum Kind : std::uint8_t { kReplace, kTie };
-
   // `shift`: how many pairs change at a failure.
   ShiftingPairs(Kernel& kernel, StructureId id, int dimension, std::uint64_t seed, int shift)
-      : kernel_(&kernel),
-        id_(id),
+      : FrontPair(kernel, id, "pairs", "pairs by distance", PairDistances(kernel, dimension)),
         random_(seed),
-        shift_(shift),
-        pairs_(kernel, id, "pairs", PairDistances(kernel, dimension)),
-        events_(kernel, id, Attribute::Shape::kTuples) {}
+        shift_(shift) {}
 
   std::string_view name() const override { return "shifting_pairs"; }
-  std::vector<std::string_view> event_kinds() const override {
-    return common_event_kinds({"replace", "tie"});
-  }
   void build(std::span<const ObjectId> objects) override {
     present_.assign(objects.begin(), objects.end());
     for (std::size_t i = 0; i < 2 * present_.size(); ++i) toggle();
     begin();
   }
-  void rebuild() override {
-    pairs_.rebuild(tied());
-    begin();
-  }
   void certificate_failed(CertificateId failed) override {
-    const auto [old, fresh] = pairs_.failed(failed, tied());
+    const Duel duel = pairs_.failed(failed, tied());
     for (int i = 0; i < shift_; ++i) toggle();
     pairs_.apply(tied());
-    events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, front());
+    replaced(duel);
   }
   void insert(ObjectId object) override {
     present_.push_back(object);
@@ -74,15 +54,10 @@ class ShiftingPairs final : public Structure {
     begin();
   }
   void motions_changed(std::span<const ObjectId> objects) override {
-    pairs_.motions_changed(objects, tied());
+    FrontPair::motions_changed(objects);
     for (int i = 0; i < shift_; ++i) toggle();
     pairs_.apply(tied());
   }
-  void instant_over() override { events_.over(front()); }
-  Attribute attribute() const override {
-    return {Attribute::Shape::kTuples, {front().begin(), front().end()}};
-  }
-  Attribute told() const override { return events_.told(); }
   std::vector<BoundCheck> bounds(const BoundContext& context) const override {
     return {
         at_most("shifting_pairs.certificates", "a tournament of the pairs",
@@ -91,7 +66,7 @@ class ShiftingPairs final : public Structure {
                 counted(context.ledger->failures))};
   }
   void check_invariants(AuditReport& report) const override {
-    pairs_.check(report, "pairs");
+    FrontPair::check_invariants(report);
     report.check(pairs_.values() == std::vector<Pair>(expected_.begin(), expected_.end()),
                  [] { return "another set"; });
     const PartLedger& line = pairs_.slots().line();
@@ -115,20 +90,11 @@ class ShiftingPairs final : public Structure {
     }
     report.check(best == attribute().ids, [] { return "another pair is the closest"; });
   }
-  std::size_t bytes() const override { return pairs_.bytes(); }
 
   const PartLedger& line() const { return pairs_.slots().line(); }
   std::uint64_t toggles() const { return toggles_; }
 
  private:
-  std::span<const ObjectId> front() const {
-    return pairs_.front() == nullptr ? std::span<const ObjectId>()
-                                     : std::span<const ObjectId>(*pairs_.front());
-  }
-  void begin() {
-    pairs_.apply(tied());
-    events_.begin(front());
-  }
   void go(Pair pair) {  // a copy: it may lie in expected_
     expected_.erase(pair);
     if (!pairs_.go(pair)) throw std::logic_error("a pair that is not there");
@@ -153,12 +119,8 @@ class ShiftingPairs final : public Structure {
     most_pairs_ = std::max(most_pairs_, expected_.size());
   }
 
-  Kernel* kernel_;
-  StructureId id_;
   Random random_;
   int shift_;
-  ChangingExtremum<PairDistances> pairs_;
-  AttributeEvents events_;
   std::vector<ObjectId> present_;
   std::set<Pair> expected_;
   std::size_t most_pairs_ = 0;
