@@ -27,8 +27,9 @@ void IncidencesAll::rebuild() {
 
 void IncidencesAll::certificate_failed(CertificateId failed) {
   const auto [pair, above] = sides_.failed(failed);
-  events_.changed(pair.line, pair.point, above);
-  events_.repaired(std::min(pair.line, pair.point), std::max(pair.line, pair.point));
+  const auto [line, point] = pair;
+  events_.changed(line, point, above);
+  events_.repaired(std::min(line, point), std::max(line, point));
 }
 
 void IncidencesAll::insert(ObjectId object) {
@@ -47,15 +48,16 @@ void IncidencesAll::erase(ObjectId object) {
 
 void IncidencesAll::motions_changed(std::span<const ObjectId> objects) {
   sides_.motions_changed(objects, [this](const LineSides::Pair& pair) {
-    events_.changed(pair.line, pair.point, false);
-    events_.tied(std::min(pair.line, pair.point), std::max(pair.line, pair.point));
+    const auto [line, point] = pair;
+    events_.changed(line, point, false);
+    events_.tied(std::min(line, point), std::max(line, point));
   });
 }
 
 Attribute IncidencesAll::attribute() const {
   std::vector<std::array<ObjectId, 2>> pairs;
   sides_.each([&pairs](const LineSides::Pair& pair, bool above) {
-    if (above) pairs.push_back({std::min(pair.line, pair.point), std::max(pair.line, pair.point)});
+    if (above) pairs.push_back({std::min(pair[0], pair[1]), std::max(pair[0], pair[1])});
   });
   std::sort(pairs.begin(), pairs.end());
   Attribute result{Attribute::Shape::kTuples, {}};

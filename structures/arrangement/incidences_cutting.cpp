@@ -241,11 +241,12 @@ void IncidencesCutting::erase(ObjectId object) {
 void IncidencesCutting::certificate_failed(CertificateId failed) {
   if (sides_.owns(failed)) {
     const auto [pair, is_above] = sides_.failed(failed);
-    if (above(pair.line, pair.point) != is_above) {
-      above(pair.line, pair.point) = is_above;
-      events_.changed(pair.line, pair.point, is_above);
+    const auto [line, point] = pair;
+    if (above(line, point) != is_above) {
+      above(line, point) = is_above;
+      events_.changed(line, point, is_above);
     }
-    return events_.repaired(std::min(pair.line, pair.point), std::max(pair.line, pair.point));
+    return events_.repaired(std::min(line, point), std::max(line, point));
   }
   ObjectId object;
   if (ways_.owns(failed)) {
@@ -263,9 +264,10 @@ void IncidencesCutting::certificate_failed(CertificateId failed) {
 
 void IncidencesCutting::motions_changed(std::span<const ObjectId> objects) {
   sides_.motions_changed(objects, [this](const LineSides::Pair& pair) {
-    above(pair.line, pair.point) = false;
-    events_.changed(pair.line, pair.point, false);
-    events_.tied(std::min(pair.line, pair.point), std::max(pair.line, pair.point));
+    const auto [line, point] = pair;
+    above(line, point) = false;
+    events_.changed(line, point, false);
+    events_.tied(std::min(line, point), std::max(line, point));
   });
   for (const ObjectId object : objects) {
     if (is_line_[object] && is_sample_[object]) {
@@ -389,7 +391,7 @@ void IncidencesCutting::check_invariants(AuditReport& report) const {
                  [&] { return "other lines are watched than cross the trapezoid" + where(); });
     pairs += place.watched.size();
     for (const ObjectId line : place.watched) {
-      report.check(sides_.above({line, p}) == above(line, p),
+      report.check(sides_.is_positive({line, p}) == above(line, p),
                    [&] { return "a side that is not that of its certificate" + where(); });
     }
   }
