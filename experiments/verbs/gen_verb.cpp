@@ -37,16 +37,18 @@ struct GenOptions {
   bool list = false;
 };
 
-// Names and summaries in two columns, in lines of at most 80 characters.
-std::string listed() {
-  constexpr std::size_t kSecondColumn = 26, kLineLength = 80;
+constexpr std::size_t kAnyLength = std::string::npos;  // one workload a line
+
+// Names and summaries in two columns, in lines of at most so many characters.
+std::string listed(std::size_t line_length) {
+  constexpr std::size_t kSecondColumn = 26;
   std::string text;
   for (const lab::Workload& workload : lab::workloads()) {
     std::string line = "  " + std::string(workload.name);
     line.resize(std::max<std::size_t>(line.size(), kSecondColumn - 1), ' ');
     std::istringstream words{std::string(workload.summary)};
     for (std::string word; words >> word;) {
-      if (line.size() + 1 + word.size() > kLineLength) {
+      if (line.size() + 1 + word.size() > line_length) {
         text += line + "\n";
         line.assign(kSecondColumn - 1, ' ');
       }
@@ -120,7 +122,7 @@ void check_bodies(const Scene& scene, const lab::Workload& workload) {
 
 void generate(const GenOptions& options, const Voice& voice) {
   if (options.list) {
-    print(listed());
+    print(listed(kAnyLength));
     return;
   }
   const lab::Workload* workload = lab::find_workload(options.workload);
@@ -165,7 +167,7 @@ void add_gen_verb(CLI::App& app, int&) {
   verb->add_flag("--force", options->force, "Replace the file if it exists");
   add_voice(*verb, "Print the scene and errors",
             "Name the scene, its size and its hash, on standard error");
-  verb->footer("Families:\n" + listed() +
+  verb->footer("Families:\n" + listed(80) +
                "\nExample:\n  kinex gen uniform-square --n 100 --seed 7 -o square.json");
   verb->callback([options, verb] {
     if (options->workload.empty() && !options->list) throw CLI::RequiredError("WORKLOAD");

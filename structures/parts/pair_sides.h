@@ -30,6 +30,7 @@ namespace kinex {
 class PairSides {
  public:
   using Pair = std::array<ObjectId, 2>;  // as the owner orders the two
+  // What a failure has changed.
   struct Change {
     Pair pair;
     bool positive;  // its side from now on
@@ -70,11 +71,13 @@ class PairSides {
   std::size_t bytes() const;
 
  protected:
+  // One of the two sides of a pair.
   struct Side {
     PredicateId predicate;  // >= 0 on this side
     std::string_view text;  // about a pair on it, for viewers
     std::string_view role;  // of its certificate
   };
+  // Both, and what a tie is.
   struct Sides {
     Side positive, negative;
     bool tie;  // the side of ties is the positive one
