@@ -34,7 +34,7 @@ constexpr Terms kPlaneTerms{
 constexpr Terms kSpaceTerms{
     "Euler's formula on the 3-sphere: 2 (E - V) facets of the closed triangulation; 5 for each "
     "hidden "
-    "point",
+    "point; of points in one plane 3n' - 3, and 4 for each hidden one",
     "2 (E - V) + 5 (n - n') for n' >= 4 vertices, V = n' + 1, E <= C(n' + 1, 2): at most (n + 1)(n "
     "- 2)",
     "each power changes sign 5D times, each orientation 3D times: 5D C(n,5) + 3D C(n,4)",

@@ -338,6 +338,32 @@ TEST(Regular3Plane, PointsOutside) {
   EXPECT_EQ(world.lines(), sturm.lines());
 }
 
+// The last one comes to the plane x = 0 at t = 2.
+TEST(Regular3Plane, TheLastPointArrives) {
+  const Scene flat = weighted_reference(6, 2, true);
+  Scene scene = placed(flat, kUpright);
+  auto& pieces = scene.objects[5].motion.pieces;
+  const Trajectory within = pieces[0].trajectory;
+  auto axes = within.coordinates;
+  axes[0] = {2, -1};
+  pieces[0] = {std::nullopt, Rational(2), path(axes)};
+  pieces.push_back({Rational(2), std::nullopt, within});
+  World world(scene), sturm(scene, "sturm");
+  PlaneWorld plane(flat, "exact", AuditLevel::kNone);
+  world.run_until(1);
+  EXPECT_FALSE(world.structure().flat());
+  for (int t = 2; t <= 10; ++t) {
+    world.run_until(t);
+    plane.run_until(t);
+    EXPECT_TRUE(world.structure().planar());
+    EXPECT_EQ(world.structure().edges(), plane.structure().edges()) << t;
+    EXPECT_EQ(world.structure().hidden(), plane.structure().hidden()) << t;
+  }
+  world.expect_clean();
+  sturm.run().expect_clean();
+  EXPECT_EQ(world.lines(), sturm.lines());
+}
+
 // Objects of a lattice in the plane z = 0, some of which leave it at a time and are back later; others come and go.
 Scene excursions(std::uint64_t seed, int n) {
   test::Random random(seed);
