@@ -259,8 +259,15 @@ namespace {
 std::shared_ptr<const Predicate> make_extent_predicate(const Scene& scene, std::string_view name) {
   if (name == "power_2" && scene.dimension == 2) return make_power_2();
   if (name == "power_3" && scene.dimension == 3) return make_power_3();
-  if (scene.extents == Extents::kNone || scene.extents == Extents::kWeight) return nullptr;
   const bool discs = scene.extents == Extents::kRadius;
+  for (const auto& [first, second] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+    if (scene.dimension != 3) break;
+    const auto power = make_power_lifted(first, second);
+    if (power->name() == name) return power;
+    const auto of_discs = make_disc_power_lifted(first, second);
+    if (discs && of_discs->name() == name) return of_discs;
+  }
+  if (scene.extents == Extents::kNone || scene.extents == Extents::kWeight) return nullptr;
   if (discs && scene.dimension == 2 && name == "disc_power_2") return make_disc_power_2();
   if (discs && scene.dimension == 3 && name == "disc_power_3") return make_disc_power_3();
   if (discs && name == "disc_overlap") return make_disc_overlap(scene.dimension);

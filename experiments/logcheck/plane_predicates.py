@@ -42,15 +42,29 @@ def projected_orientation(first, second):
     return value
 
 
-def in_circle_lifted(first, second):
-    """Twice the circle, of points of one plane in space: d is inside the circle through a, b, c, which turn counter-clockwise in projection."""
+def no_weight(_):
+    return ()
+
+
+def own_weight(point):
+    return point.extents[0] if getattr(point, "extents", None) else ()
+
+
+def squared_radius(point):
+    return multiply(point.extents[0], point.extents[0])
+
+
+def power_lifted(first, second, weight):
+    """Twice the power, of points of one plane in space: d, lifted, is below the plane of a, b, c, which turn
+    counter-clockwise in projection. Without weights: d is inside their circle."""
 
     def value(points):
         rows = [difference_3(p, points[3]) for p in points[:3]]
         result, third = (), 3 - first - second
         total = add(add(rows[0][third], rows[1][third]), rows[2][third])
         for i in range(3):
-            height = subtract(scaled(dot_3(rows[i], rows[i]), 2), multiply(total, rows[i][third]))
+            above = subtract(weight(points[3]), weight(points[i]))
+            height = subtract(scaled(add(dot_3(rows[i], rows[i]), above), 2), multiply(total, rows[i][third]))
             rest = minor(rows[(i + 1) % 3], rows[(i + 2) % 3], first, second)
             result = add(result, multiply(height, rest))
         return result
@@ -60,5 +74,7 @@ def in_circle_lifted(first, second):
 
 def of_planes():
     pairs = {"xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
+    heights = {"in_circle_": no_weight, "power_": own_weight, "disc_power_": squared_radius}
     return {**{"orientation_" + name: (projected_orientation(*pair), 3, 3) for name, pair in pairs.items()},
-            **{"in_circle_" + name: (in_circle_lifted(*pair), 4, 4) for name, pair in pairs.items()}}
+            **{kind + name: (power_lifted(*pair, weight), 4, 4)
+               for kind, weight in heights.items() for name, pair in pairs.items()}}

@@ -2,6 +2,7 @@
 """Regular triangulations in the plane and in space: every event changes the triangles, or cells, as its ids say, and
 right after every instant that has a record they are those of the definition."""
 
+from plane_predicates import of_planes
 from replay_cells import Cells
 from space import change, change_in_plane, simplices
 
@@ -37,9 +38,16 @@ class RegularInThePlane(Regular):
 
 
 class RegularInSpace(Regular):
-    fails_touching = ("orientation_3", "power_3", "disc_power_3")
+    fails_touching = ("orientation_3", "power_3", "disc_power_3", *of_planes())
     CORNERS = 4
     SIZES = {"flip_2_3": (5,), "flip_3_2": (5,), "enter": (4,), "leave": (4,), "hull_2_3": (4,), "hull_3_2": (4,),
              "show": (4, 5), "hide": (4, 5)}
-    OTHERS = {"blocked": (4, 5), "witness": (1,), "touch": (4, 5)}
+    OTHERS = {"blocked": (4, 5), "witness": (1,), "touch": (4, 5), "plane_flip": (4,), "plane_enter": (3,),
+              "plane_leave": (3,), "plane_show": (3, 4), "plane_hide": (3, 4), "plane_witness": (1,),
+              "plane_blocked": (3, 4), "plane_touch": (3, 4)}
     change = staticmethod(change)
+
+    def record(self, r, x):
+        if r.kind.startswith("plane_"):
+            self.checker.partly[self.label] = self.partly + "; changes in the plane of all points"
+        super().record(r, x)

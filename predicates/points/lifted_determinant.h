@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The determinant whose rows are the differences of points from a last one, in the plane or in space,
-// and the heights of the points over that of the last one. For formulas of predicates.
+// and the heights of the points over that of the last one; of points of one plane in space in projection on
+// two axes, too. For formulas of predicates.
 #ifndef KINEX_PREDICATES_POINTS_LIFTED_DETERMINANT_H
 #define KINEX_PREDICATES_POINTS_LIFTED_DETERMINANT_H
 
@@ -35,6 +36,26 @@ auto lifted_determinant_3(const Points& p, const Height& height) {
          wide_product(dx * ay - dy * ax, cs * bz - bs * cz) +
          wide_product(ax * cy - ay * cx, ds * bz - bs * dz) +
          wide_product(bx * dy - by * dx, cs * az - as * cz);
+}
+
+// For two axes u, v of space and the third one w: the rows (u, v, height(2 u^2 + 2 v^2 + 2 w^2 - s w, i)) of the
+// points i = 0, 1, 2, from point 3; s is the sum of w over the three rows. Of points of one plane w is a linear
+// combination of u and v, and s w changes nothing. Of others it makes the determinant alternate in point 3, too,
+// as it does when that is not taken away: there s is the sum over all four points.
+template <class Points, class Height>
+auto projected_determinant(const Points& p, int u, int v, const Height& height) {
+  const int w = 3 - u - v;
+  const auto eu = p(3, u), ev = p(3, v), ew = p(3, w);
+  const auto au = p(0, u) - eu, av = p(0, v) - ev, aw = p(0, w) - ew;
+  const auto bu = p(1, u) - eu, bv = p(1, v) - ev, bw = p(1, w) - ew;
+  const auto cu = p(2, u) - eu, cv = p(2, v) - ev, cw = p(2, w) - ew;
+  const auto as = aw - bw - cw, bs = bw - cw - aw, cs = cw - aw - bw;  // 2 w - s
+  return wide_product(height(au * au + av * av + au * au + av * av + aw * as, 0),
+                      bu * cv - bv * cu) +
+         wide_product(height(bu * bu + bv * bv + bu * bu + bv * bv + bw * bs, 1),
+                      cu * av - cv * au) +
+         wide_product(height(cu * cu + cv * cv + cu * cu + cv * cv + cw * cs, 2),
+                      au * bv - av * bu);
 }
 
 }  // namespace kinex

@@ -3,13 +3,13 @@
 // the last point, lifted to the sum of the squares of its coordinates - w, lies strictly below the plane of
 // the others, lifted and taken upright. w is the weight, or the square of the radius. Identities:
 // predicates/points/power_predicates.h.
-#include <algorithm>
 #include <array>
 #include <string_view>
 
 #include "core/arithmetic/predicate_formula.h"
 #include "core/arithmetic/touch.h"
 #include "predicates/points/lifted_determinant.h"
+#include "predicates/points/power_degree.h"
 #include "predicates/points/power_predicates.h"
 
 namespace kinex {
@@ -88,30 +88,12 @@ struct RadiusPower : Power<kAxes> {
   }
 };
 
-// The largest power of t, at most d, that an argument has on the axes in [first, last).
-int degree_of(const MotionView<Ball>* points, int arity, int d, int first, int last) {
-  for (int k = d; k > 0; --k) {
-    for (int i = 0; i < arity; ++i) {
-      for (int axis = first; axis < last; ++axis) {
-        const Ball& c = points[i][axis * (d + 1) + k];
-        if (c.value != 0 || c.error != 0) return k;
-      }
-    }
-  }
-  return 0;
-}
-
-// A weight may be of higher degree than coordinates: coefficients beyond the true degree are exact
-// zeros.
 template <int kAxes>
 class WeightPowerPredicate : public FormulaPredicate<WeightPower<kAxes>> {
  public:
   void ball(int d, const MotionView<Ball>* points, double shift, Ball* out) const override {
     FormulaPredicate<WeightPower<kAxes>>::ball(d, points, shift, out);
-    const int place = degree_of(points, kAxes + 2, d, 0, kAxes);
-    const int weight = degree_of(points, kAxes + 2, d, kAxes, kAxes + 1);
-    const int true_degree = kAxes * place + std::max(2 * place, weight);
-    for (int k = true_degree + 1; k <= this->degree(d); ++k) out[k] = Ball{};
+    clear_beyond_degree(d, points, {.arity = kAxes + 2, .axes = kAxes, .factors = kAxes}, out);
   }
 };
 

@@ -51,6 +51,30 @@ std::shared_ptr<const Predicate> make_power_3_touch();
 std::shared_ptr<const Predicate> make_disc_power_2_touch();
 std::shared_ptr<const Predicate> make_disc_power_3_touch();
 
+// power_lifted(a, b, c, e): for points of one plane in space twice the determinant with rows
+// (u, v, x^2 + y^2 + z^2 - w + w_e) of a - e, b - e, c - e on two axes u < v of space (named power_xy, power_xz,
+// power_yz; power_2 does the same in the plane). For four points of one plane whose projections on these axes
+// are not on one line, and a, b, c counter-clockwise in projection, positive iff e lies strictly below the plane
+// through the other three, all lifted. Degree 4 in t, times d, at most. Not homogeneous, as power_2. Throws
+// std::invalid_argument for other axes.
+//   (1) alternating in all four
+//   (2) zero if two arguments are equal, with equal weights
+//   (3) unchanged by a common translation, and by a number added to all weights
+//   (4) in_circle_lifted if the weights are equal
+//   (5) on x and y: twice power_2 if all points have the same z
+std::shared_ptr<const Predicate> make_power_lifted(int first, int second);
+
+// disc_power_lifted(a, b, c, e): the same for w = r^2, of balls (named disc_power_xy, disc_power_xz,
+// disc_power_yz). Degree 4 in coordinates and radii.
+//   (1) alternating in all four
+//   (2) zero if two arguments are equal
+//   (3) unchanged by a common translation
+std::shared_ptr<const Predicate> make_disc_power_lifted(int first, int second);
+
+// The same polynomials under the same names, for certificates that fail at touches, too.
+std::shared_ptr<const Predicate> make_power_lifted_touch(int first, int second);
+std::shared_ptr<const Predicate> make_disc_power_lifted_touch(int first, int second);
+
 }  // namespace kinex
 
 #endif

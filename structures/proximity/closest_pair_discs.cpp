@@ -33,7 +33,7 @@ std::span<const ObjectId> ClosestPairDiscs::closest() const {
 
 // A flip hides no disc, and none shows by it.
 void ClosestPairDiscs::read_edges() {
-  was_flat_ = was_flat_ || graph_.flat();
+  was_of_plane_ = was_of_plane_ && graph_.is_of_plane();
   hidden_ = graph_.hides();
   edges_.assign(graph_.edges());
   edges_.apply(tied());
@@ -71,6 +71,7 @@ void ClosestPairDiscs::begin() {
 }
 
 void ClosestPairDiscs::rebuild() {
+  was_of_plane_ = was_of_plane_ && graph_.is_of_plane();
   hidden_ = graph_.hides();
   edges_.assign(graph_.edges());
   edges_.rebuild(tied());
@@ -82,7 +83,7 @@ void ClosestPairDiscs::rebuild() {
 
 // All edges are read after an event that does not change single edges or contradicts the edges known.
 void ClosestPairDiscs::watched_changed(const Event* event) {
-  const auto change = event == nullptr ? std::nullopt : graph_.change(*event);
+  const auto change = graph_.told(event);
   const bool followed = change && (!change->gone || edges_.go(*change->gone)) &&
                         (!change->came || edges_.come(*change->came));
   if (!followed) return read_edges();
@@ -152,12 +153,12 @@ void ClosestPairDiscs::visit_proof(ProofVisitor& visitor) const {
 std::vector<BoundCheck> ClosestPairDiscs::bounds(const BoundContext& context) const {
   const StructureLedger& ledger = *context.ledger;
   const Integer n = counted(context.objects()), all = kinex::pairs(n);
-  const bool all_pairs = was_flat_ || graph_.dimension() == 3 || context.objects() < 3;
+  const bool all_pairs = !was_of_plane_ || context.objects() < 3;
   const Integer edges = all_pairs ? all : Integer(3) * n - Integer(6);
   const Integer most = Integer(3) * (edges - Integer(1)) + Integer(1);
   std::vector<BoundCheck> result{
       at_most("closest_pair_discs.certificates",
-              "three for each match of the edges, at most 3n - 6, in space or on a line all pairs; and one",
+              "three for each match of the edges, at most 3n - 6 in a plane, else all pairs; and one",
               std::max(Integer(0), most), counted(ledger.max_live)),
       at_most("closest_pair_discs.events",
               "the epochs of the nodes of the tournament, and the roots of the four polynomials of each "

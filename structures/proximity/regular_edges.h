@@ -2,8 +2,8 @@
 // RegularGraph: a regular triangulation of discs, in the plane or in space, as a graph, for structures
 // that work on its edges.
 //
-// Discs that are all on one line (in space in one plane), or too few, have no cells; then all pairs are
-// edges. Hidden discs have none.
+// Balls that are all in one plane have no cells, but the edges of the triangulation there. Of discs that are all
+// on one line, or too few, all pairs are edges. Hidden discs have none.
 #ifndef KINEX_STRUCTURES_PROXIMITY_REGULAR_EDGES_H
 #define KINEX_STRUCTURES_PROXIMITY_REGULAR_EDGES_H
 
@@ -24,11 +24,17 @@ class RegularGraph {
 
   int dimension() const { return in_plane_ != nullptr ? 2 : 3; }
   StructureId id() const { return in_plane_ != nullptr ? in_plane_->id() : in_space_->id(); }
-  // There are no cells, and all pairs are edges.
-  bool flat() const { return in_plane_ != nullptr ? in_plane_->flat() : in_space_->flat(); }
-  // Discs are hidden, though there are cells. O(n).
+  // All pairs are edges.
+  bool has_all_pairs() const {
+    return in_plane_ != nullptr ? in_plane_->flat() : in_space_->has_all_pairs();
+  }
+  // The edges are those of a triangulation of a plane: at most 3n - 6.
+  bool is_of_plane() const {
+    return !has_all_pairs() && (in_plane_ != nullptr || in_space_->planar());
+  }
+  // Discs are hidden, and not all pairs are edges. O(n).
   bool hides() const {
-    if (flat()) return false;
+    if (has_all_pairs()) return false;
     return in_plane_ != nullptr ? !in_plane_->hidden().empty() : !in_space_->hidden().empty();
   }
   // All of them, ascending. O(n log n) for n edges.
@@ -38,6 +44,12 @@ class RegularGraph {
   // The change that an external event of the triangulation states; nullopt if it has to be read off
   // the triangulation.
   std::optional<DelaunayEdgeChange> change(const Event& event) const;
+  // As change(), of what watched_changed() gets: no event means that edges have changed and no cells have.
+  // Asked for there alone.
+  std::optional<DelaunayEdgeChange> told(const Event* event) const {
+    if (event != nullptr) return change(*event);
+    return in_space_ != nullptr ? in_space_->change_within() : std::nullopt;
+  }
 
  private:
   const Regular2* in_plane_ = nullptr;

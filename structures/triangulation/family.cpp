@@ -115,7 +115,21 @@ StructureInfo regular_in_space() {
        {"retile", Effect::kSometimes, "at a degenerate instant: cells are cut out and filled anew"},
        {"blocked", Effect::kNever, "at a degenerate instant: no flip repairs the facet yet"},
        {"touch", Effect::kNever,
-        "at a degenerate instant: a certificate touches zero, and holds again"}});
+        "at a degenerate instant: a certificate touches zero, and holds again"},
+       {"plane_flip", Effect::kNever,
+        "all points are in one plane: an edge there gives way to another"},
+       {"plane_enter", Effect::kNever, "all points are in one plane: one reaches the hull there"},
+       {"plane_leave", Effect::kNever, "all points are in one plane: one leaves the hull there"},
+       {"plane_show", Effect::kNever, "all points are in one plane: a hidden one shows there"},
+       {"plane_hide", Effect::kNever, "all points are in one plane: one is hidden there"},
+       {"plane_witness", Effect::kNever,
+        "all are in one plane: a hidden point has, or waits for, another witness"},
+       {"plane_retile", Effect::kNever,
+        "all are in one plane, at a degenerate instant: triangles are filled anew"},
+       {"plane_blocked", Effect::kNever,
+        "all are in one plane, at a degenerate instant: no flip is possible yet"},
+       {"plane_touch", Effect::kNever,
+        "all are in one plane, at a degenerate instant: a certificate touches zero"}});
   info.min_dimension = 3;
   info.width = 4;
   info.certificates =
@@ -125,7 +139,8 @@ StructureInfo regular_in_space() {
   info.ties =
       "of points identically in one lifted plane those with smaller ids have their heights lowered "
       "more; of identically equal points the one of largest weight, then of smallest id, can be a "
-      "vertex; points identically in one plane have no cells";
+      "vertex; points identically in one plane have no cells, but the triangulation of the plane "
+      "for those that read edges";
   info.make = make_plain<Regular3>;
   return info;
 }

@@ -10,14 +10,11 @@ namespace kinex {
 
 FlatTriangulation::FlatTriangulation(Kernel& kernel, StructureId id, std::size_t objects,
                                      const FlatKinds& kinds)
-    : PlaneFlips(
-          kernel, id, objects,
-          RegularGeometry<PlaneComplex>(kernel, kAxisPairs[0], static_cast<ObjectId>(objects)),
-          "edges", Kinds{kinds.retile, kinds.blocked, kinds.touch}),
+    : InPlane(kernel, id, objects, Extents::kNone,
+              PlaneKinds{kinds.flip, kinds.enter, kinds.leave, kinds.retile}, "edges",
+              Kinds{kinds.retile, kinds.blocked, kinds.touch}),
       kinds_(kinds),
-      line_(kernel, id, "line", AlongLine{}) {
-  geometries_[0] = geometry_;
-}
+      line_(kernel, id, "line", AlongLine{}) {}
 
 // ---- certificates
 
@@ -67,18 +64,9 @@ void FlatTriangulation::pass(CertificateId failed) {
   kernel_->report_changed_within(id_);
 }
 
-// At now itself no triangle has an area in projection, no link a length. Two triangles of the hull, or two
-// links, fail or touch zero then, so that the instant is shared.
+// Of a chain: no link has a length in projection at now itself. Two links fail or touch zero then.
 bool FlatTriangulation::stands_upright() {
-  if (!kernel_->tells_sign_now() || !kernel_->instant_is_shared(id_)) return false;
-  if (looked_at_ == kernel_->instant_number()) return false;
-  looked_at_ = kernel_->instant_number();
-  for (Cell t = 0; t < store_.triangle_capacity(); ++t) {
-    if (!store_.live(t) || store_.ghost(t)) continue;
-    const Query orientation = geometry_.orientation_claim(store_.corners(t));
-    if (kernel_->sign(orientation, When::kNow) != Sign::kZero) return false;
-  }
-  bool all = true;
+  bool all = InPlane::stands_upright();
   line_.each_link([&](ObjectId a, ObjectId b, CertificateId) {
     all = all && kernel_->sign(line_.claims().claim(a, b), When::kNow) == Sign::kZero;
   });
@@ -86,12 +74,6 @@ bool FlatTriangulation::stands_upright() {
 }
 
 // ---- construction
-
-const RegularGeometry<PlaneComplex>& FlatTriangulation::on_axes(std::size_t pair) {
-  std::optional<RegularGeometry<PlaneComplex>>& geometry = geometries_[pair];
-  if (!geometry) geometry.emplace(*kernel_, kAxisPairs[pair], store_.infinity());
-  return *geometry;
-}
 
 void FlatTriangulation::build(std::span<const ObjectId> vertices) {
   vertices_.assign(vertices.begin(), vertices.end());
@@ -108,8 +90,7 @@ void FlatTriangulation::construct() {
   StaticResult built = StaticResult::kFlat;
   for (std::size_t pair = 0; pair < kAxisPairs.size() && built == StaticResult::kFlat; ++pair) {
     if (pair != 0 && vertices_.size() < 3) break;
-    pair_ = pair;
-    geometry_ = on_axes(pair);
+    take_axes(pair);
     built = build_static<PlaneComplex>(geometry_, vertices_, true, store_);
   }
   flat_ = built == StaticResult::kFlat;
@@ -148,34 +129,6 @@ void FlatTriangulation::insert(ObjectId object) {
 void FlatTriangulation::erase(ObjectId object) {
   std::erase(vertices_, object);
   construct();
-}
-
-// ---- what is reported
-
-void FlatTriangulation::flipped(ObjectId u, ObjectId v, ObjectId p, ObjectId q) {
-  ++flips_;
-  EdgeChange change;
-  if (v != store_.infinity()) change.gone = {u, v};
-  if (q != store_.infinity()) change.came = {p, q};
-  if (v == store_.infinity()) {
-    kernel_->report(id_, kinds_.leave, {u, p, q}, false);
-  } else if (q == store_.infinity()) {
-    kernel_->report(id_, kinds_.enter, {p, u, v}, false);
-  } else {
-    kernel_->report(id_, kinds_.flip, {u, v, p, q}, false);
-  }
-  change_ = change;
-  kernel_->report_changed_within(id_);
-}
-
-void FlatTriangulation::tell_sewn(const AttributeDifference& change) {
-  change_.reset();
-  kernel_->report(id_, kinds_.retile, {}, false);
-  if (!change.gone.empty() || !change.came.empty()) kernel_->report_changed_within(id_);
-}
-
-void FlatTriangulation::tell_rebuilt(const std::string& reason, const AttributeDifference&) {
-  kernel_->count_rebuild(id_, reason);
 }
 
 // ---- what there is

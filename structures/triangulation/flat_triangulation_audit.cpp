@@ -2,8 +2,6 @@
 // FlatTriangulation: bounds, invariants, and the audit against CGAL's exact triangulation in space, which is
 // the Delaunay triangulation of their plane for points that are all in one.
 #include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Gmpq.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
@@ -12,62 +10,21 @@
 #include "structures/parts/binomial.h"
 #include "structures/triangulation/audit_text.h"
 #include "structures/triangulation/flat_triangulation.h"
+#include "structures/triangulation/in_plane_audit.h"
 
 namespace kinex {
 namespace {
 
-using Exact = CGAL::Simple_cartesian<CGAL::Gmpq>;
-using Number = Exact::FT;
-using Point = Exact::Point_3;
+using namespace in_plane_audit;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<ObjectId, Exact>;
 using Witness = CGAL::Delaunay_triangulation_3<
     Exact, CGAL::Triangulation_data_structure_3<VertexBase,
                                                 CGAL::Delaunay_triangulation_cell_base_3<Exact>>>;
-using Corners = std::array<ObjectId, 3>;
-
-Point point_of(const Snapshot& snapshot, ObjectId id) {
-  const auto at = [&](int axis) { return Number(CGAL::Gmpq(snapshot.position(id, axis).raw())); };
-  return Point(at(0), at(1), at(2));
-}
-
-// Twice the area of a triangle in projection on two axes.
-Number area(const AxisPair& axes, const Point& a, const Point& b, const Point& c) {
-  const auto u = [&](const Point& p) { return Number(p[axes.first] - a[axes.first]); };
-  const auto v = [&](const Point& p) { return Number(p[axes.second] - a[axes.second]); };
-  return u(b) * v(c) - v(b) * u(c);
-}
-
-// A point on the circle of a triangle, `turn` its sign in projection: true if it is inside once the lifted
-// heights have been lowered by eps_i, smaller ids much more.
-bool inside_by_ties(const AxisPair& axes, const std::vector<Point>& points, const Corners& t,
-                    ObjectId v) {
-  std::array<ObjectId, 4> order{t[0], t[1], t[2], v};
-  std::sort(order.begin(), order.end());
-  const auto turn = [&](const Corners& c) {
-    return CGAL::sign(area(axes, points[c[0]], points[c[1]], points[c[2]]));
-  };
-  for (const ObjectId lowered : order) {
-    if (lowered == v) return true;
-    Corners with = t;
-    std::replace(with.begin(), with.end(), lowered, v);
-    if (turn(with) != CGAL::ZERO) return turn(with) != turn(t);
-  }
-  return true;
-}
-
-// Smaller id first, ascending.
-std::vector<std::array<ObjectId, 2>> edges_of(const Witness& witness) {
-  std::vector<std::array<ObjectId, 2>> result;
-  for (auto e = witness.finite_edges_begin(); e != witness.finite_edges_end(); ++e) {
-    const ObjectId a = e->first->vertex(e->second)->info();
-    const ObjectId b = e->first->vertex(e->third)->info();
-    result.push_back({std::min(a, b), std::max(a, b)});
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
 
 }  // namespace
+
+template bool InPlane<PlaneFlips<SewnTriangulation<RegularGeometry<PlaneComplex>>>>::holds_at(
+    const Snapshot&) const;
 
 std::vector<BoundCheck> FlatTriangulation::bounds(const BoundContext& context) const {
   std::vector<BoundCheck> checks;
@@ -125,34 +82,6 @@ void FlatTriangulation::check_invariants(AuditReport& report) const {
   }
 }
 
-// As Regular2::holds_at, in projection on the axes in use.
-bool FlatTriangulation::holds_at(const Snapshot& snapshot) const {
-  if (flat_) return true;
-  const AxisPair& axes = kAxisPairs[pair_];
-  for (Cell t = 0; t < store_.triangle_capacity(); ++t) {
-    if (!store_.live(t) || store_.ghost(t)) continue;
-    const Corners c = store_.corners(t);
-    const Number turn =
-        area(axes, point_of(snapshot, c[0]), point_of(snapshot, c[1]), point_of(snapshot, c[2]));
-    if (CGAL::sign(turn) != CGAL::POSITIVE) return false;
-  }
-  const auto comes_before = [&](const Point& a, const Point& b) {
-    return std::pair(a[axes.first], a[axes.second]) < std::pair(b[axes.first], b[axes.second]);
-  };
-  int ends = 0;  // of the part of the hull on which the first coordinate ascends
-  const HalfEdge first = store_.out(store_.infinity());
-  HalfEdge at = first;
-  do {
-    const HalfEdge next = store_.around(at), last = store_.around(next);
-    const Point a = point_of(snapshot, store_.target(at));
-    const Point b = point_of(snapshot, store_.target(next));
-    const Point c = point_of(snapshot, store_.target(last));
-    if (comes_before(a, b) && !comes_before(b, c)) ++ends;
-    at = next;
-  } while (at != first);
-  return ends == 1;
-}
-
 void FlatTriangulation::audit(const Snapshot& snapshot, AuditReport& report) const {
   std::vector<Point> points(store_.infinity());
   std::vector<std::pair<Point, ObjectId>> input;
@@ -171,19 +100,10 @@ void FlatTriangulation::audit(const Snapshot& snapshot, AuditReport& report) con
   report.check(witness.dimension() < 3, [] { return std::string("not in one plane"); });
   // Points may touch and turn back without any event: at such an instant triangles may be flat.
   if (witness.dimension() != 2 || witness.number_of_vertices() != input.size()) return;
-  // Axes on which the plane is not upright now.
-  AxisPair axes;
-  const auto facet = witness.finite_facets_begin();
-  for (const AxisPair& pair : kAxisPairs) {
-    const auto corner = [&](int i) -> const Point& { return facet->first->vertex(i)->point(); };
-    if (CGAL::sign(area(pair, corner(0), corner(1), corner(2))) != CGAL::ZERO) axes = pair;
-  }
-  Number whole = 0, filled = 0;
-  for (auto f = witness.finite_facets_begin(); f != witness.finite_facets_end(); ++f) {
-    const auto corner = [&](int i) -> const Point& { return f->first->vertex(i)->point(); };
-    whole += CGAL::abs(area(axes, corner(0), corner(1), corner(2)));
-  }
+  const WitnessPlane plane = plane_of(witness);
+  const AxisPair& on_axes = plane.axes;
   const std::vector<std::array<ObjectId, 2>> theirs = edges_of(witness);
+  Number filled = 0;
   bool flat = false, ties = false;
   CGAL::Sign side = CGAL::ZERO;  // of the plane, from which triangles are counter-clockwise
   const bool all_points = vertices_.size() <= 24;
@@ -191,7 +111,7 @@ void FlatTriangulation::audit(const Snapshot& snapshot, AuditReport& report) con
     if (!store_.live(t) || store_.ghost(t)) continue;
     const Corners c = store_.corners(t);
     const Point &p = points[c[0]], &q = points[c[1]], &r = points[c[2]];
-    const Number twice = area(axes, p, q, r);
+    const Number twice = area(on_axes, p, q, r);
     const CGAL::Sign turn = CGAL::sign(twice);
     filled += CGAL::abs(twice);
     flat = flat || turn == CGAL::ZERO;
@@ -210,7 +130,7 @@ void FlatTriangulation::audit(const Snapshot& snapshot, AuditReport& report) con
       ties = true;
       // A tie of this time only may be decided either way.
       if (kernel_->sign_after(geometry_.power_claim(c, v)) != Sign::kZero) return;
-      report.check(!inside_by_ties(axes, points, c, v), [&] {
+      report.check(!below_by_ties(on_axes, points, c, v), [&] {
         return named("on the circle, and inside by its id: points", {c[0], c[1], c[2], v});
       });
     };
@@ -224,7 +144,8 @@ void FlatTriangulation::audit(const Snapshot& snapshot, AuditReport& report) con
     }
   }
   if (flat) return;
-  report.check(filled == whole, [] { return std::string("the triangles do not fill the hull"); });
+  report.check(filled == plane.whole,
+               [] { return std::string("the triangles do not fill the hull"); });
   // Of points on one circle the witness may have other edges.
   report.check(ties || edges() == theirs,
                [] { return std::string("the edges of the plane differ from the witness"); });

@@ -42,14 +42,15 @@ LiftedGeometry<Complex>::LiftedGeometry(Kernel& kernel, ObjectId infinity,
       power_(kernel.bind(std::move(power))) {}
 
 template <class Complex>
-LiftedGeometry<Complex>::LiftedGeometry(Kernel& kernel, ObjectId infinity, AxisPair axes)
+LiftedGeometry<Complex>::LiftedGeometry(Kernel& kernel, ObjectId infinity, AxisPair axes,
+                                        std::shared_ptr<const Predicate> power)
     : kernel_(&kernel),
       infinity_(infinity),
       order_{kernel.bind(make_coordinate_order(axes.first)),
              kernel.bind(make_coordinate_order(axes.second))},
       projected_{kernel.bind(make_projected_orientation(axes.first, axes.second))},
       orientation_(projected_[0]),
-      power_(kernel.bind(make_in_circle_lifted(axes.first, axes.second))) {}
+      power_(kernel.bind(std::move(power))) {}
 
 template <class Complex>
 bool LiftedGeometry<Complex>::equal(ObjectId a, ObjectId b, When when) const {

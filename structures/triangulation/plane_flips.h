@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PlaneFlips: the flips of edges of regular_2, and of the points of delaunay_3 that are all in one plane, those
+// PlaneFlips: the flips of edges of regular_2, and of points in space that are all in one plane, those
 // of the hull included; and whether the hull turns once. The picture is in regular_2.h.
 #ifndef KINEX_STRUCTURES_TRIANGULATION_PLANE_FLIPS_H
 #define KINEX_STRUCTURES_TRIANGULATION_PLANE_FLIPS_H

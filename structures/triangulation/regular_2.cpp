@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/triangulation/regular_2.h"
 
-#include <algorithm>
-
 namespace kinex {
 
 Regular2::Regular2(Kernel& kernel, StructureId id, const Scene& scene)
-    : PlaneFlips(kernel, id, scene, "edges",
-                 RegularTriangulation::Kinds{kShow, kHide, kWitness, kRetile, kBlocked, kTouch}) {}
+    : PlaneRegular(kernel, id, scene, "edges",
+                   RegularTriangulation::Kinds{kShow, kHide, kWitness, kRetile, kBlocked, kTouch}) {
+}
 
 std::vector<std::string_view> Regular2::event_kinds() const {
   return common_event_kinds(
       {"flip", "enter", "leave", "show", "hide", "witness", "retile", "blocked", "touch"});
-}
-
-// A vertex of degree 3 is at an end of the edge.
-bool Regular2::repair(Facet h) {
-  if (flippable(h)) {
-    flip(h);
-    return true;
-  }
-  const ObjectId u = store_.origin(h), v = store_.target(h);
-  return hide(std::min(u, v)) || hide(std::max(u, v));
 }
 
 void Regular2::flipped(ObjectId u, ObjectId v, ObjectId p, ObjectId q) {

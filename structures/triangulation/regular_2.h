@@ -56,12 +56,11 @@
 #include <string_view>
 #include <vector>
 
-#include "structures/triangulation/plane_flips.h"
-#include "structures/triangulation/regular_triangulation.h"
+#include "structures/triangulation/plane_regular.h"
 
 namespace kinex {
 
-class Regular2 final : public PlaneFlips<RegularTriangulation<PlaneComplex>> {
+class Regular2 final : public PlaneRegular {
  public:
   // Kinds of events and their ids: see above.
   enum Kind : std::uint8_t {
@@ -87,7 +86,6 @@ class Regular2 final : public PlaneFlips<RegularTriangulation<PlaneComplex>> {
   using Triangle = Triangulation2::Triangle;
   using Corners = Triangulation2::Corners;
 
-  bool repair(Facet h) override;
   void flipped(ObjectId u, ObjectId v, ObjectId p, ObjectId q) override;
 };
 

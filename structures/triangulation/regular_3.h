@@ -27,11 +27,17 @@
 //   responsiveness  9 certificates for a flip 2-3, 7 for one 3-2, 10 for a point that shows, 9 for one that
 //                   hides, 5 for a new witness, with any number of hidden points
 //   efficiency      every event but that of a new witness changes cells
+//   in one plane    3n' - 3 + 4 (n - n') certificates; those of regular_2 for each change
 // Events: each power changes sign at most 5D times, each orientation 3D times: at most
 // 5D C(n,5) + 3D C(n,4) changes of the triangulation, and as many failures of witnesses. With ties that
 // last at most 15D C(n,5) + 24D C(n,4) changes.
 //
-// Objects that are all identically in one plane, or fewer than four, have no cells and no certificates.
+// Objects that are all identically in one plane, or fewer than four, have no cells.
+//
+// In one plane. While all objects are, identically, readers of edges get those of the regular triangulation of
+// the plane, which may turn: flat_regular.h. Its vertices, and the objects that it hides, are those of the
+// structure. The attribute is the set of cells, and does not say who is hidden: the events are internal. Objects
+// that are all on one line have no certificates, and all pairs for edges.
 //
 // Reported events name finite points. Each states the change of cells.
 //   flip_2_3   p q a b c: the edge p q joins, the facet abc leaves; three cells for two
@@ -48,6 +54,8 @@
 //   blocked    internal
 //   touch      internal; u v w p: p is in the plane of the hull facet u v w, or that is flat;
 //              a b c d e: five lifted points are in one plane
+//   plane_flip, plane_enter, plane_leave, plane_show, plane_hide, plane_witness, plane_retile, plane_blocked,
+//   plane_touch  internal; all objects are in one plane: as the events of regular_2
 //
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7; Edelsbrunner,
 // Shah, Incremental topological flipping works for regular triangulations (1996); Devillers, Teillaud
@@ -55,10 +63,16 @@
 #ifndef KINEX_STRUCTURES_TRIANGULATION_REGULAR_3_H
 #define KINEX_STRUCTURES_TRIANGULATION_REGULAR_3_H
 
+#include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
+#include "core/motion/scene.h"
+#include "structures/triangulation/flat_regular.h"
 #include "structures/triangulation/regular_triangulation.h"
 #include "structures/triangulation/space_flips.h"
 
@@ -67,18 +81,62 @@ namespace kinex {
 class Regular3 final : public SpaceFlips<RegularTriangulation<SpaceComplex>> {
  public:
   // Kinds of events and their ids: see above. First those of space_flips.h.
-  enum Kind : std::uint8_t { kShow = kSpaceFlips, kHide, kWitness, kRetile, kBlocked, kTouch };
+  enum Kind : std::uint8_t {
+    kShow = kSpaceFlips,
+    kHide,
+    kWitness,
+    kRetile,
+    kBlocked,
+    kTouch,
+    kPlaneFlip,
+    kPlaneEnter,
+    kPlaneLeave,
+    kPlaneShow,
+    kPlaneHide,
+    kPlaneWitness,
+    kPlaneRetile,
+    kPlaneBlocked,
+    kPlaneTouch
+  };
 
   Regular3(Kernel& kernel, StructureId id, const Scene& scene);
 
   std::string_view name() const override { return "regular_3"; }
   std::vector<std::string_view> event_kinds() const override;
+  void certificate_failed(CertificateId failed) override;
+  void motions_changed(std::span<const ObjectId> objects) override;
+  void instant_settled() override;
+  void visit_proof(ProofVisitor& visitor) const override;
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   bool holds_at(const Snapshot& snapshot) const override;
+  std::size_t bytes() const override;
+
+  // All objects, four or more, are in one plane, or on one line.
+  bool planar() const { return flat_ && plane_ != nullptr && !plane_->empty(); }
+  // There are no cells, nor triangles of a common plane: all pairs are edges.
+  bool has_all_pairs() const { return flat_ && (!planar() || plane_->flat()); }
+  // While all objects are in one plane: as of its triangulation.
+  bool is_vertex(ObjectId object) const override;
+  std::vector<ObjectId> hidden() const override;
+  std::vector<std::array<ObjectId, 2>> edges() const override;
+  // The edges that have changed since readers were told the last time, if that is one flip in the plane of
+  // all objects, which is no event of the attribute.
+  std::optional<EdgeChange> change_within() const {
+    return planar() ? plane_->change() : std::nullopt;
+  }
 
  private:
+  void construct() override;
+  void construct_plane();
+  void sort_out_flat() override;
   bool repair(Facet f) override;
   void add_windings(const std::vector<Cell>& near, std::vector<Cell>& wrong) override;
+
+  Extents extents_;
+  // Made when all objects are in one plane for the first time.
+  std::unique_ptr<FlatRegular> plane_;
 };
 
 }  // namespace kinex

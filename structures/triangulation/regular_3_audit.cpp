@@ -72,9 +72,34 @@ bool below_by_ties(const std::vector<Weighted>& points, const Quad& quad, Object
 
 }  // namespace
 
+// ---- bounds and invariants
+
+std::vector<BoundCheck> Regular3::bounds(const BoundContext& context) const {
+  std::vector<BoundCheck> checks;
+  if (corrupt_ || (plane_ != nullptr && plane_->corrupt())) return checks;
+  bounds_of_state(context, planar() ? plane_->wanted() : 0, checks);
+  if (plane_ == nullptr) {
+    bounds_of_events(context, "", checks);
+  } else {
+    plane_->add_bounds_of_events(context, checks);
+  }
+  return checks;
+}
+
+void Regular3::check_invariants(AuditReport& report) const {
+  RegularTriangulation::check_invariants(report);
+  if (plane_ == nullptr) return;
+  plane_->check_invariants(report);
+  report.check(flat_ || plane_->empty(),
+               [] { return std::string("cells, and a triangulation of a common plane"); });
+}
+
+// ---- the audit
+
 // Certificates that have failed an even number of times since now are positive again, though cells have
 // turned over.
 bool Regular3::holds_at(const Snapshot& snapshot) const {
+  if (planar()) return plane_->holds_at(snapshot);
   std::vector<Weighted> points(objects());
   for (ObjectId v = 0; v < objects(); ++v) {
     if (!store_.has(v)) continue;
@@ -104,6 +129,7 @@ void Regular3::audit(const Snapshot& snapshot, AuditReport& report) const {
   const Witnesses witness(input.begin(), input.end());
   if (flat_) {
     report.check(witness.dimension() < 3, [] { return std::string("not in one plane"); });
+    if (planar()) plane_->audit(snapshot, report);
     return;
   }
   std::set<Quad> theirs;

@@ -34,7 +34,7 @@ constexpr Terms kPlaneTerms{
 constexpr Terms kSpaceTerms{
     "Euler's formula on the 3-sphere: 2 (E - V) facets of the closed triangulation; 5 for each "
     "hidden "
-    "point",
+    "point; of points in one plane 3n' - 3, and 4 for each hidden one",
     "2 (E - V) + 5 (n - n') for n' >= 4 vertices, V = n' + 1, E <= C(n' + 1, 2): at most (n + 1)(n "
     "- 2)",
     "each power changes sign 5D times, each orientation 3D times: 5D C(n,5) + 3D C(n,4)",
@@ -52,15 +52,23 @@ constexpr Terms kSpaceTerms{
 
 template <class Complex>
 std::vector<BoundCheck> RegularTriangulation<Complex>::bounds(const BoundContext& context) const {
+  std::vector<BoundCheck> checks;
+  if (this->corrupt_) return checks;
+  bounds_of_state(context, 0, checks);
+  bounds_of_events(context, "", checks);
+  return checks;
+}
+
+template <class Complex>
+void RegularTriangulation<Complex>::bounds_of_state(const BoundContext& context, std::size_t more,
+                                                    std::vector<BoundCheck>& checks) const {
   const Terms& terms = Complex::kAxes == 2 ? kPlaneTerms : kSpaceTerms;
   const auto id = [this](const char* what) { return std::string(this->name()) + "." + what; };
-  std::vector<BoundCheck> checks;
   const StructureLedger& ledger = *context.ledger;
-  if (this->corrupt_) return checks;
   BoundCheck check;
   check.id = id("certificates");
   check.source = terms.certificates;
-  check.bound = Integer(0);
+  check.bound = counted(more);
   if (!this->flat_) {
     const std::size_t vertices = this->store_.vertices();
     std::uint64_t facets = 3 * vertices - 3;
@@ -71,7 +79,7 @@ std::vector<BoundCheck> RegularTriangulation<Complex>::bounds(const BoundContext
       const std::size_t at_infinity = 3 * star.size() / 2 - star.size() + 2;
       facets = 2 * (edges().size() + at_infinity - vertices - 1);
     }
-    check.bound = counted(facets + kClaims * hidden().size());
+    check.bound = counted(facets + kClaims * hidden().size() + more);
   }
   check.observed = counted(ledger.live);
   check.holds = check.bound == check.observed;
@@ -88,11 +96,21 @@ std::vector<BoundCheck> RegularTriangulation<Complex>::bounds(const BoundContext
   checks.push_back(
       at_most(id("largest_sew"), "the cells of the largest part that was sewn: not all of them",
               most_cells.sign() < 0 ? Integer(0) : most_cells, counted(this->largest_sew())));
+}
+
+template <class Complex>
+void RegularTriangulation<Complex>::bounds_of_events(const BoundContext& context,
+                                                     const std::string& prefix,
+                                                     std::vector<BoundCheck>& checks) const {
+  const Terms& terms = Complex::kAxes == 2 ? kPlaneTerms : kSpaceTerms;
+  const auto id = [&](const char* what) { return std::string(this->name()) + "." + prefix + what; };
+  const StructureLedger& ledger = *context.ledger;
   // The theorems count changes in general position; degenerate instants may fail more certificates.
   if (!context.plain() || ledger.rebuilds != 0 || this->sews_ != 0 || this->blocks_ != 0 ||
       waits_ != 0) {
-    return checks;
+    return;
   }
+  const Integer n = counted(context.objects());
   const auto most = [&](int powers, int orientations) {
     const Integer d(context.degree);
     return Integer(powers) * d * binomial(n, static_cast<int>(kClaims)) +
@@ -101,7 +119,7 @@ std::vector<BoundCheck> RegularTriangulation<Complex>::bounds(const BoundContext
   if (ties_ != 0) {
     checks.push_back(at_most(id("events"), terms.tied,
                              most(terms.tied_powers, terms.tied_orientations), counted(changes_)));
-    return checks;
+    return;
   }
   const Integer plain = most(terms.powers, terms.orientations);
   checks.push_back(at_most(id("events"), terms.events, plain, counted(changes_)));
@@ -109,7 +127,6 @@ std::vector<BoundCheck> RegularTriangulation<Complex>::bounds(const BoundContext
       at_most(id("witnesses"), terms.events, plain, counted(witnesses_.line().failures)));
   checks.push_back(at_most(id("responsiveness"), terms.responsiveness, Integer(terms.most_created),
                            counted(ledger.created_per_event.max)));
-  return checks;
 }
 
 template <class Complex>
@@ -164,6 +181,14 @@ template std::vector<BoundCheck> RegularTriangulation<PlaneComplex>::bounds(
     const BoundContext&) const;
 template std::vector<BoundCheck> RegularTriangulation<SpaceComplex>::bounds(
     const BoundContext&) const;
+template void RegularTriangulation<SpaceComplex>::bounds_of_state(const BoundContext&, std::size_t,
+                                                                  std::vector<BoundCheck>&) const;
+template void RegularTriangulation<SpaceComplex>::bounds_of_events(const BoundContext&,
+                                                                   const std::string&,
+                                                                   std::vector<BoundCheck>&) const;
+template void RegularTriangulation<PlaneComplex>::bounds_of_events(const BoundContext&,
+                                                                   const std::string&,
+                                                                   std::vector<BoundCheck>&) const;
 template void RegularTriangulation<PlaneComplex>::check_invariants(AuditReport&) const;
 template void RegularTriangulation<SpaceComplex>::check_invariants(AuditReport&) const;
 

@@ -22,6 +22,18 @@ PowerPair powers_of(Extents extents) {
   }
 }
 
+PowerPair powers_of(Extents extents, AxisPair axes) {
+  const auto [u, v] = axes;
+  switch (extents) {
+    case Extents::kRadius:
+      return {make_disc_power_lifted(u, v), make_disc_power_lifted_touch(u, v)};
+    case Extents::kNone:
+      return {make_in_circle_lifted(u, v), make_in_circle_lifted_touch(u, v)};
+    default:
+      return {make_power_lifted(u, v), make_power_lifted_touch(u, v)};
+  }
+}
+
 }  // namespace
 
 template <class Complex>
@@ -35,11 +47,18 @@ RegularGeometry<Complex>::RegularGeometry(Kernel& kernel,
                       infinity) {}
 
 template <class Complex>
-RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, AxisPair axes,
+RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, AxisPair axes, Extents extents,
                                           ObjectId infinity) requires(Complex::kAxes == 2)
-    : Base(kernel, infinity, axes),
-      radii_(false),
-      power_touch_(kernel.bind(make_in_circle_lifted_touch(axes.first, axes.second))),
+    : RegularGeometry(kernel, axes, powers_of(extents, axes), extents == Extents::kRadius,
+                      infinity) {}
+
+template <class Complex>
+RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, AxisPair axes, PowerPair powers,
+                                          bool radii,
+                                          ObjectId infinity) requires(Complex::kAxes == 2)
+    : Base(kernel, infinity, axes, std::move(powers.plain)),
+      radii_(radii),
+      power_touch_(kernel.bind(std::move(powers.touch))),
       touch_(kernel.bind(make_projected_orientation_touch(axes.first, axes.second))),
       unfolded_(kernel.bind(make_obtuse_angle_3())) {}
 

@@ -28,8 +28,10 @@ class RegularGeometry : public LiftedGeometry<C> {
   RegularGeometry(Kernel& kernel, Extents extents, ObjectId infinity);
   // Without weights: the Delaunay triangulation.
   RegularGeometry(Kernel& kernel, ObjectId infinity) requires(Complex::kAxes == 3);
-  // The same of points of space that are all in one plane, in projection on two axes: lifted_geometry.h.
-  RegularGeometry(Kernel& kernel, AxisPair axes, ObjectId infinity) requires(Complex::kAxes == 2);
+  // With these or without weights, of points of space that are all in one plane, in projection on two axes:
+  // lifted_geometry.h.
+  RegularGeometry(Kernel& kernel, AxisPair axes, Extents extents,
+                  ObjectId infinity) requires(Complex::kAxes == 2);
 
   bool reads_radii() const { return radii_; }
 
@@ -45,6 +47,8 @@ class RegularGeometry : public LiftedGeometry<C> {
 
  private:
   RegularGeometry(Kernel& kernel, PowerPair powers, bool radii, ObjectId infinity);
+  RegularGeometry(Kernel& kernel, AxisPair axes, PowerPair powers, bool radii,
+                  ObjectId infinity) requires(Complex::kAxes == 2);
   // Of two ghosts whose facets are identically in one plane: that these are on different sides of the face
   // which they share.
   Query unfolded_claim(const Simplex& s, unsigned i, ObjectId apex) const;

@@ -123,7 +123,7 @@ bool RegularTriangulation<Complex>::show(ObjectId h, Cell c) {
   certify_inside();
   drop_witness(h);
   certify_rim();
-  if (!this->corrupt_) this->report_points(kinds_.show, points, true);
+  if (!this->corrupt_) report_change(kinds_.show, points);
   return true;
 }
 
@@ -164,7 +164,7 @@ bool RegularTriangulation<Complex>::hide(ObjectId v) {
   points.front() = v;
   std::copy(below.begin(), below.end(), points.begin() + 1);
   std::sort(points.begin() + 1, points.end());
-  if (!this->corrupt_) this->report_points(kinds_.hide, points, true);
+  if (!this->corrupt_) report_change(kinds_.hide, points);
   return true;
 }
 

@@ -2,6 +2,8 @@
 // RegularTriangulation: certificates, construction, and changes from outside.
 #include "structures/triangulation/regular_triangulation.h"
 
+#include <utility>
+
 #include "structures/parts/sort_unique.h"
 
 namespace kinex {
@@ -10,14 +12,22 @@ template <class Complex>
 RegularTriangulation<Complex>::RegularTriangulation(Kernel& kernel, StructureId id,
                                                     const Scene& scene, const std::string& facets,
                                                     Kinds kinds)
-    : Base(kernel, id, scene.objects.size(),
-           RegularGeometry<Complex>(kernel, scene.extents,
-                                    static_cast<ObjectId>(scene.objects.size())),
-           facets, {kinds.retile, kinds.blocked, kinds.touch}),
-      present_(scene.objects.size(), false),
+    : RegularTriangulation(kernel, id, scene.objects.size(),
+                           RegularGeometry<Complex>(kernel, scene.extents,
+                                                    static_cast<ObjectId>(scene.objects.size())),
+                           {facets, "witnesses"}, kinds) {}
+
+template <class Complex>
+RegularTriangulation<Complex>::RegularTriangulation(Kernel& kernel, StructureId id,
+                                                    std::size_t objects,
+                                                    RegularGeometry<Complex> geometry,
+                                                    const PartNames& parts, Kinds kinds)
+    : Base(kernel, id, objects, std::move(geometry), parts.facets,
+           {kinds.retile, kinds.blocked, kinds.touch}),
+      present_(objects, false),
       kinds_(kinds),
-      witnesses_(kernel, id, "witnesses"),
-      witness_(scene.objects.size()) {}
+      witnesses_(kernel, id, parts.witnesses),
+      witness_(objects) {}
 
 // ---- certificates
 
@@ -55,6 +65,18 @@ void RegularTriangulation<Complex>::certificate_failed(CertificateId failed) {
   }
 }
 
+template <class Complex>
+void RegularTriangulation<Complex>::count_failure(CertificateId failed) {
+  (witnesses_.owns(failed) ? witnesses_ : this->facets_).failed(failed);
+}
+
+template <class Complex>
+void RegularTriangulation<Complex>::drop_all_witnesses() {
+  for (ObjectId h = 0; h < witness_.size(); ++h) drop_witness(h);
+  waiting_.clear();
+  witness_ties_.clear();
+}
+
 // ---- construction
 
 template <class Complex>
@@ -72,9 +94,7 @@ StaticResult RegularTriangulation<Complex>::build_patch(std::span<const ObjectId
 template <class Complex>
 void RegularTriangulation<Complex>::construct() {
   this->drop_all_certificates();
-  for (ObjectId h = 0; h < witness_.size(); ++h) drop_witness(h);
-  waiting_.clear();
-  witness_ties_.clear();
+  drop_all_witnesses();
   this->forget_instant();
   this->hint_ = this->kNone;
   std::vector<ObjectId> objects;

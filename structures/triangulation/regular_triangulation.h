@@ -57,11 +57,15 @@ class RegularTriangulation : public SewnTriangulation<RegularGeometry<Complex>> 
 
   // The number of the scene's objects, alive or not.
   std::size_t objects() const { return present_.size(); }
-  bool is_vertex(ObjectId object) const { return this->store_.has(object); }
+  virtual bool is_vertex(ObjectId object) const { return this->store_.has(object); }
   // The present objects that are no vertices, ascending; if it is flat all of them.
-  std::vector<ObjectId> hidden() const;
+  virtual std::vector<ObjectId> hidden() const;
   // The edges, smaller id first, ascending; if it is flat all pairs of objects.
-  std::vector<std::array<ObjectId, 2>> edges() const;
+  virtual std::vector<std::array<ObjectId, 2>> edges() const;
+  // A live certificate is one of its own.
+  bool owns(CertificateId certificate) const {
+    return this->facets_.owns(certificate) || witnesses_.owns(certificate);
+  }
 
  protected:
   using typename Base::Points;
@@ -70,14 +74,25 @@ class RegularTriangulation : public SewnTriangulation<RegularGeometry<Complex>> 
   struct Kinds {
     std::uint8_t show, hide, witness, retile, blocked, touch;
   };
+  // The names of the parts of its certificates.
+  struct PartNames {
+    std::string facets, witnesses;
+  };
   // `facets`: the name of the part of its facets' certificates.
   RegularTriangulation(Kernel& kernel, StructureId id, const Scene& scene,
                        const std::string& facets, Kinds kinds);
+  // `objects`: the number of the scene's.
+  RegularTriangulation(Kernel& kernel, StructureId id, std::size_t objects,
+                       RegularGeometry<Complex> geometry, const PartNames& parts, Kinds kinds);
 
   // ---- what its structures add
   // Makes the flip of the facet, or hides a vertex, and reports it; false, with nothing changed: no flip is
   // possible.
   virtual bool repair(Facet f) = 0;
+  // Reports that the first point shows or hides, in a cell of the others, which ascend.
+  virtual void report_change(std::uint8_t kind, const Points& points) {
+    this->report_points(kind, points, true);
+  }
   void set_certificate(Facet f) override;
   void construct() override;
   StaticResult build_patch(std::span<const ObjectId> vertices) override;
@@ -87,6 +102,15 @@ class RegularTriangulation : public SewnTriangulation<RegularGeometry<Complex>> 
   // The vertex, of degree d + 1, sinks below the cell of its neighbours, which may be a ghost. False, with
   // nothing changed: it does not.
   bool hide(ObjectId v);
+  void drop_all_witnesses();
+  // A certificate has failed, for nothing but the counts.
+  void count_failure(CertificateId failed);
+  // Appends the bounds of what there is and of what has happened. `more`: certificates besides its own;
+  // `prefix`: of names.
+  void bounds_of_state(const BoundContext& context, std::size_t more,
+                       std::vector<BoundCheck>& checks) const;
+  void bounds_of_events(const BoundContext& context, const std::string& prefix,
+                        std::vector<BoundCheck>& checks) const;
 
   std::vector<bool> present_;
 

@@ -178,6 +178,39 @@ TEST_F(KnownSigns, PowersInSpace) {
   EXPECT_EQ(fold({0, 0, 3}, {0, 1, -1}), 1);
 }
 
+// In the plane z = 3 x; weights, or radii, last.
+TEST_F(KnownSigns, PowersInPlanesOfSpace) {
+  const std::vector<std::vector<int>> corner{{4, 0, 12, 1}, {0, 12, 0, 1}, {-4, 0, -12, 1}};
+  const auto side = [&corner](const std::shared_ptr<const Predicate>& p, std::vector<int> point) {
+    return sign(p, {corner[0], corner[1], corner[2], std::move(point)});
+  };
+  for (const auto make : {make_power_lifted, make_disc_power_lifted, make_power_lifted_touch,
+                          make_disc_power_lifted_touch}) {
+    EXPECT_EQ(side(make(0, 1), {0, -13, 0, 1}), 1);  // outside of the circle of the projections
+    EXPECT_EQ(side(make(1, 2), {0, -13, 0, 1}), -1);
+    EXPECT_EQ(side(make(0, 2), {0, -13, 0, 1}), 0);  // it is upright there
+    EXPECT_EQ(side(make(0, 1), {0, -14, 0, 1}), -1);
+    EXPECT_EQ(side(make(0, 1), {0, -14, 0, 9}),
+              make == make_power_lifted || make == make_power_lifted_touch ? -1 : 1);
+    EXPECT_THROW(make(1, 0), std::invalid_argument);
+  }
+  // The power of (0, y, 0) with regard to that circle, of centre (0, -2/3, 0).
+  for (const int y : {0, -3, 6, 9, -15}) {
+    const int power = y * y + 4 * y / 3 - 160;
+    EXPECT_EQ(side(make_power_lifted(0, 1), {0, y, 0, power + 1}), 0) << y;
+    EXPECT_EQ(side(make_power_lifted(0, 1), {0, y, 0, power}), -1) << y;
+    EXPECT_EQ(side(make_power_lifted(1, 2), {0, y, 0, power + 2}), -1) << y;
+    EXPECT_EQ(side(make_power_lifted(0, 2), {0, y, 0, power + 2}), 0) << y;
+  }
+  const auto flat = [](std::vector<int> point) {
+    return sign(make_disc_power_lifted(0, 1),
+                {{0, 0, 7, 1}, {4, 0, 7, 1}, {0, 4, 7, 1}, std::move(point)});
+  };
+  EXPECT_EQ(flat({5, 4, 7, 2}), -1);  // the square of the tangent is 5
+  EXPECT_EQ(flat({5, 4, 7, 3}), 1);
+  EXPECT_EQ(flat({4, 4, 7, 1}), 0);
+}
+
 // Weights of degree 3 on linear motions: the value has degree 5 and not 12, in every form.
 TEST(Power2, CoefficientsBeyondItsDegreeAreExactZeros) {
   const auto p = make_power_2();

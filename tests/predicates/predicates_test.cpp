@@ -78,6 +78,12 @@ std::vector<Named> all_predicates() {
           {"disc_power_2", make_disc_power_2()},
           {"power_3", make_power_3()},
           {"disc_power_3", make_disc_power_3()},
+          {"power_xy", make_power_lifted(0, 1)},
+          {"power_xz", make_power_lifted(0, 2)},
+          {"power_yz", make_power_lifted(1, 2)},
+          {"disc_power_xy", make_disc_power_lifted(0, 1)},
+          {"disc_power_xz", make_disc_power_lifted(0, 2)},
+          {"disc_power_yz", make_disc_power_lifted(1, 2)},
           {"unfolded_3", make_unfolded_3()},
           {"disc_overlap_1", make_disc_overlap(1)},
           {"disc_overlap_2", make_disc_overlap(2)},
@@ -147,8 +153,8 @@ TEST(WeightPower, ErrorsAreWithinTheReachWhateverTheWeights) {
   std::mt19937_64 random(7);
   for (const Bits& bits : {Bits{15, 30, false}, {20, 4, false}, {6, 30, false}, {15, 30, true}, {0, 30, true},
                            {20, 0, false}}) {
-    for (const int axes : {2, 3}) {
-      const auto p = axes == 2 ? make_power_2() : make_power_3();
+    for (const auto& p : {make_power_2(), make_power_3(), make_power_lifted(0, 2)}) {
+      const int axes = p->dimension() - 1;
       for (int d = 1; d <= kMaxFixedDegree; ++d) {
         for (int round = 0; round < 40; ++round) {
           Motions m(random, p->arity(), axes + 1, d, std::int64_t{1} << 30);

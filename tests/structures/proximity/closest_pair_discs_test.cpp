@@ -13,6 +13,7 @@
 #include "structures/proximity/closest_pair_discs.h"
 #include "tests/sanitized.h"
 #include "tests/structures/metamorphic.h"
+#include "tests/structures/planes_in_space.h"
 #include "tests/structures/proximity/meetings_support.h"
 #include "tests/structures/special_scenes.h"
 
@@ -209,6 +210,55 @@ TEST(ClosestPairDiscs, OnALine) {
                              disc({30, -1}, {60, -2}, {1, 1}), disc({-50, 2}, {-100, 4}, {1})}, 0, 8);
   const TwinRun run(scene, kAsked);
   EXPECT_GT(run.ledger().external, 1u);
+}
+
+// The scene of the plane, in space: lengths are `factor` times as large there.
+Scene balls_of_plane(const Scene& flat, const Turn& turn, int factor) {
+  Scene scene = in_space(flat, turn);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    auto& pieces = scene.objects[i].motion.pieces;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      auto axes = pieces[p].trajectory.coordinates;
+      axes.push_back(flat.objects[i].motion.pieces[p].trajectory.coordinates[2]);
+      for (Rational& c : axes.back()) c *= Rational(factor);
+      pieces[p].trajectory = path(axes);
+    }
+  }
+  return scene;
+}
+
+// Without the numbers of instants.
+std::vector<std::string> told(const TwinRun& run) {
+  std::vector<std::string> result;
+  for (const std::string& line : run.changes(0)) result.push_back(line.substr(line.find(' ')));
+  return result;
+}
+
+// Balls whose centres are all in one plane: the same pairs as of the discs there, among as many edges.
+TEST(ClosestPairDiscs, BallsOfOnePlane) {
+  std::uint64_t external = 0;
+  for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
+    SCOPED_TRACE(seed);
+    Scene flat = seed % 3 == 0 ? extended_flights(seed, 6, 2, 1, seed % 2 == 0, Extents::kRadius)
+                               : lattice_of_discs(seed, 4 + static_cast<int>(seed % 4), 2);
+    const bool tilted = seed % 2 == 0;
+    const Scene scene = balls_of_plane(flat, tilted ? kOblique : kUpright, tilted ? 3 : 1);
+    const TwinRun run(scene, kAsked), plane(flat, kAsked);
+    EXPECT_EQ(told(run), told(plane));
+    EXPECT_EQ(run.begins_with, plane.begins_with);
+    EXPECT_EQ(run.attribute(), plane.attribute());
+    external += run.ledger().external;
+  }
+  EXPECT_GT(external, test::seen_in_fewer(6u));
+  Scene many = reference_scene(10, 2, 1);
+  many.extents = Extents::kRadius;
+  for (SceneObject& object : many.objects) {
+    object.motion.pieces[0].trajectory.coordinates.push_back({Rational(1)});
+    object.motion.pieces[0].trajectory.normalise();
+  }
+  const TwinRun run(balls_of_plane(many, kOblique, 3), kAsked);
+  EXPECT_GT(run.ledger().external, 3u);
+  EXPECT_LE(run.ledger().max_live, 9u * 10 - 20);
 }
 
 // Of identically equal gaps the smallest pair, also of different radii: 10 + t - 2 = 12 + t - 4.
