@@ -48,14 +48,13 @@ RegularGeometry<Complex>::RegularGeometry(Kernel& kernel,
 
 template <class Complex>
 RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, AxisPair axes, Extents extents,
-                                          ObjectId infinity) requires(Complex::kAxes == 2)
+                                          ObjectId infinity)
     : RegularGeometry(kernel, axes, powers_of(extents, axes), extents == Extents::kRadius,
                       infinity) {}
 
 template <class Complex>
 RegularGeometry<Complex>::RegularGeometry(Kernel& kernel, AxisPair axes, PowerPair powers,
-                                          bool radii,
-                                          ObjectId infinity) requires(Complex::kAxes == 2)
+                                          bool radii, ObjectId infinity)
     : Base(kernel, infinity, axes, std::move(powers.plain)),
       radii_(radii),
       power_touch_(kernel.bind(std::move(powers.touch))),

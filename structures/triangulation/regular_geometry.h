@@ -30,8 +30,7 @@ class RegularGeometry : public LiftedGeometry<C> {
   RegularGeometry(Kernel& kernel, ObjectId infinity) requires(Complex::kAxes == 3);
   // With these or without weights, of points of space that are all in one plane, in projection on two axes:
   // lifted_geometry.h.
-  RegularGeometry(Kernel& kernel, AxisPair axes, Extents extents,
-                  ObjectId infinity) requires(Complex::kAxes == 2);
+  RegularGeometry(Kernel& kernel, AxisPair axes, Extents extents, ObjectId infinity);
 
   bool reads_radii() const { return radii_; }
 
@@ -47,8 +46,7 @@ class RegularGeometry : public LiftedGeometry<C> {
 
  private:
   RegularGeometry(Kernel& kernel, PowerPair powers, bool radii, ObjectId infinity);
-  RegularGeometry(Kernel& kernel, AxisPair axes, PowerPair powers, bool radii,
-                  ObjectId infinity) requires(Complex::kAxes == 2);
+  RegularGeometry(Kernel& kernel, AxisPair axes, PowerPair powers, bool radii, ObjectId infinity);
   // Of two ghosts whose facets are identically in one plane: that these are on different sides of the face
   // which they share.
   Query unfolded_claim(const Simplex& s, unsigned i, ObjectId apex) const;
