@@ -40,6 +40,7 @@ class RegularInThePlane(Regular):
 class RegularInSpace(Regular):
     fails_touching = ("orientation_3", "power_3", "disc_power_3", *of_planes())
     CORNERS = 4
+    TIES = {"unfolded_3": "orientation_3"}
     SIZES = {"flip_2_3": (5,), "flip_3_2": (5,), "enter": (4,), "leave": (4,), "hull_2_3": (4,), "hull_3_2": (4,),
              "show": (4, 5), "hide": (4, 5)}
     OTHERS = {"blocked": (4, 5), "witness": (1,), "touch": (4, 5), "plane_flip": (4,), "plane_enter": (3,),

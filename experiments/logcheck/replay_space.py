@@ -9,6 +9,7 @@ from space import cells, change
 
 class DelaunayInSpace(Cells):
     partly = "blocked flips at degenerate instants: which there are is not followed"
+    TIES = {"unfolded_3": "orientation_3"}
     SIZES = {"flip_2_3": (5,), "flip_3_2": (5,), "enter": (4,), "leave": (4,), "hull_2_3": (4,), "hull_3_2": (4,)}
     OTHERS = {"blocked": (4, 5), "touch": (4, 5), "plane_flip": (4,), "plane_enter": (3,), "plane_leave": (3,),
               "plane_blocked": (3, 4), "plane_touch": (3, 4), "line_pass": (2,)}
