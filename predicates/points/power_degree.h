@@ -23,6 +23,7 @@ inline int degree_of(const MotionView<Ball>* points, int arity, int d, int first
   return 0;
 }
 
+// What the degree of a power depends on.
 struct PowerShape {
   int arity;    // of the predicate
   int axes;     // of positions; the weight is the axis behind them

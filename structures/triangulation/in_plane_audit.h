@@ -16,14 +16,20 @@
 
 namespace kinex::in_plane_audit {
 
+// The kernel of these audits, whose numbers are rational.
 using Exact = CGAL::Simple_cartesian<CGAL::Gmpq>;
+// A coordinate.
 using Number = Exact::FT;
+// A position in space.
 using Point = Exact::Point_3;
+// Of a triangle.
 using Corners = std::array<ObjectId, 3>;
 
+// A coordinate of an object.
 inline Number at(const Snapshot& snapshot, ObjectId id, int axis) {
   return Number(CGAL::Gmpq(snapshot.position(id, axis).raw()));
 }
+// The position of an object.
 inline Point point_of(const Snapshot& snapshot, ObjectId id) {
   return Point(at(snapshot, id, 0), at(snapshot, id, 1), at(snapshot, id, 2));
 }
