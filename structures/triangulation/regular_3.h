@@ -36,8 +36,8 @@
 //
 // In one plane. While all objects are, identically, readers of edges get those of the regular triangulation of
 // the plane, which may turn: flat_regular.h. Its vertices, and the objects that it hides, are those of the
-// structure. The attribute is the set of cells, and does not say who is hidden: the events are internal. Objects
-// that are all on one line have no certificates, and all pairs for edges.
+// structure. Its events are internal, since the attribute is the set of cells, of which there are none. Of objects
+// that are all on one line all pairs are edges, without certificates.
 //
 // Reported events name finite points. Each states the change of cells.
 //   flip_2_3   p q a b c: the edge p q joins, the facet abc leaves; three cells for two

@@ -78,7 +78,7 @@ std::vector<std::string> changes(const std::vector<std::string>& lines) {
   return result;
 }
 
-// At many times the edges, and who is hidden, are as of regular_2 in the plane.
+// The edges and the hidden points are those of regular_2 in the plane, at many times.
 void expect_those_of_the_plane(const Scene& flat, const Placement& placement) {
   World world(placed(flat, placement));
   PlaneWorld plane(flat, "exact", AuditLevel::kNone);
