@@ -9,6 +9,7 @@
 
 #include "core/arithmetic/coordinate_difference.h"
 #include "core/numbers/first_root.h"
+#include "core/numbers/interval_sign.h"
 
 namespace kinex {
 namespace {
@@ -59,6 +60,11 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
     model.differs_in_balls =
         model.degree == numbers.degree && !model.touches && p.shifts(numbers.degree);
     model.differs_in_lanes = model.degree >= 1 && model.degree <= filter::kMaxDifferenceDegree;
+  }
+  if (const auto* const order = dynamic_cast<const LengthOrder*>(&p)) {
+    model.lengths = order->length_ends();
+    model.orders_lengths = model.fixed && numbers.narrow && model.reach_error > 0 && !model.in_balls &&
+                           model.homogeneity == 2 && model.degree == 2 * numbers.degree && !model.touches;
   }
   touches_ = touches_ || model.touches;
   models_.push_back(model);
@@ -122,6 +128,7 @@ void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
     for (std::size_t i = 0; i < models_.size(); ++i) {
       models_[i].fixed = models_[i].narrow = models_[i].linear = models_[i].in_lanes = false;
       models_[i].differs = models_[i].differs_in_balls = models_[i].differs_in_lanes = false;
+      models_[i].orders_lengths = false;
       models_[i].degree = predicates_[i]->degree(motions_.degree());
     }
   }
@@ -153,37 +160,24 @@ int ExactArithmetic::relation_by_ids(const Query& query) const {
 // The sign of p on all of [now.lo, now.hi], if it is certainly constant; it is then the sign at now
 // and right after it.
 std::optional<Sign> ExactArithmetic::sign_over_now(const Approximation& p) const {
-  const double t = now_.hi - p.origin;
-  const double bound = std::max(std::fabs(now_.lo - p.origin), std::fabs(t));
-  const int d = p.degree;
-  double value = p.c[d], magnitude = p.m[d], slope = d * p.m[d];
-  for (int i = d - 1; i >= 0; --i) {
-    value = value * t + p.c[i];
-    magnitude = magnitude * bound + p.m[i];
-    if (i > 0) slope = slope * bound + i * p.m[i];
+  const filter::Interval now{now_.lo - p.origin, now_.hi - p.origin, now_.hi - now_.lo};
+  switch (p.degree) {
+    case 1: return filter::sign_over<1>(p.c, p.m, 1, now);
+    case 2: return filter::sign_over<2>(p.c, p.m, 2, now);
+    case 3: return filter::sign_over<3>(p.c, p.m, 3, now);
+    case 4: return filter::sign_over<4>(p.c, p.m, 4, now);
+    default: return filter::sign_over<-1>(p.c, p.m, p.degree, now);
   }
-  if (d == 0) slope = 0;
-  if (!(magnitude >= 0x1p-300 && magnitude <= 0x1p900 && std::fabs(bound) <= 0x1p200))
-    return std::nullopt;
-  // Most bounds are below the limit of the largest degree, which needs no power.
-  if (d > 3 && !(bound <= filter::kLeastTimeLimit) && !(bound <= std::exp2(600.0 / d))) return std::nullopt;
-  // The value moves by at most slope * width between now.lo and now.hi.
-  const double error = filter::gamma(d) * magnitude + slope * (now_.hi - now_.lo) * (1 + 0x1p-20);
-  if (value > error) return Sign::kPositive;
-  if (value < -error) return Sign::kNegative;
-  if (now_.lo == now_.hi || !(std::fabs(value) > filter::gamma(d) * magnitude)) return std::nullopt;
-  // Where terms cancel the coefficients are far smaller than their bounds: |c_j| + gamma m_j is closer.
-  double steep = d * std::fabs(p.c[d]);
-  for (int i = d - 1; i > 0; --i) steep = steep * bound + i * std::fabs(p.c[i]);
-  const double closer = filter::gamma(d) * magnitude + (steep + 2 * filter::gamma(d) * slope) *
-                                                           (now_.hi - now_.lo) * (1 + 0x1p-20);
-  if (value > closer) return Sign::kPositive;
-  if (value < -closer) return Sign::kNegative;
-  return std::nullopt;
 }
 
 Sign ExactArithmetic::sign_after(const Query& query) {
   StageCounts& counts = count(query).signs;
+  if (models_[query.predicate].orders_lengths) {
+    if (const auto sign = length_sign(query)) {
+      ++counts[static_cast<int>(Stage::kDouble)];
+      return *sign;
+    }
+  }
   if (const auto sign = form_over_now(query)) {
     ++counts[static_cast<int>(Stage::kDouble)];
     return *sign;
@@ -287,6 +281,8 @@ Outlook ExactArithmetic::failure(const Query& query, FailureTime& time) {
 Outlook ExactArithmetic::look_ahead(const Query& query, double limit, FailureTime& time) {
   if (models_[query.predicate].difference_axis >= 0) {
     if (const auto found = difference_failure(query, limit, time)) return *found;
+  } else if (models_[query.predicate].orders_lengths) {
+    if (const auto found = length_failure(query, limit, time)) return *found;
   }
   Outlook outlook;
   const Stage stage = find_failure(query, limit, time, outlook);

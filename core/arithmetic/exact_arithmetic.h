@@ -14,7 +14,8 @@
 //              of these from a table of floats (coordinate_table.h), and those of both ends of an
 //              interval in floats first (exact_arithmetic_interval.cpp).
 //              Failure times of differences of coordinates are found in one function
-//              (exact_arithmetic_difference.cpp).
+//              (exact_arithmetic_difference.cpp), and so are signs and failure times of orders of
+//              two lengths (exact_arithmetic_length.cpp).
 //              Groups of queries (begin_group): the polynomials and the first step of the filter
 //              are computed for all of them side by side (exact_arithmetic_group.cpp), and those of
 //              differences of coordinates up to their failure times
@@ -31,6 +32,7 @@
 #include <vector>
 
 #include "core/arithmetic/arithmetic.h"
+#include "core/arithmetic/length_order.h"
 #include "core/arithmetic/linear_form.h"
 #include "core/arithmetic/motion_store.h"
 #include "core/arithmetic/root_namer.h"
@@ -135,6 +137,8 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     // A CoordinateDifference that exact_arithmetic_difference.cpp answers: of small integers, of others.
     bool differs = false, differs_in_balls = false;
     bool differs_in_lanes = false;  // groups of its queries are answered in lanes
+    LengthEnds lengths;              // of a LengthOrder
+    bool orders_lengths = false;     // ... that exact_arithmetic_length.cpp answers
   };
 
   // The queries of begin_group, one per lane. A query is known if the filter's first step answers
@@ -235,6 +239,15 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   bool shifted_difference_of_balls(const Query& query, double* c, double* m) const;
   template <int D, bool kBalls>
   std::optional<Outlook> difference_failure_of(const Query& query, double limit, FailureTime& time);
+  // The same of orders of two lengths.
+  std::optional<Sign> length_sign(const Query& query) const;
+  std::optional<Outlook> length_failure(const Query& query, double limit, FailureTime& time);
+  template <int D, bool kShared>
+  bool shifted_lengths(const Query& query, double* c, double* m) const;
+  template <int D, bool kShared>
+  std::optional<Sign> length_sign_of(const Query& query) const;
+  template <int D, bool kShared>
+  std::optional<Outlook> length_failure_of(const Query& query, double limit, FailureTime& time);
   Outlook fails_now(FailureTime& time);
   bool linear_narrow(const Query& query, Int128& c0, Int128& c1) const;
   void shrink(FailureTime& time);

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "predicates/by_dimension.h"
+#include "predicates/length_predicate.h"
 #include "predicates/predicates.h"
 
 namespace kinex {
@@ -17,6 +18,7 @@ struct SquaredDistanceOrder {
   static constexpr int kAlternating = 2;
   static constexpr int kReference = 2;
   static constexpr bool kOnlyToReference = false;
+  static constexpr LengthEnds kEnds{.shorter_from = 2, .shorter_to = 0, .longer_from = 2, .longer_to = 1};
   static constexpr std::array<ArgumentRole, 3> kRoles{{{"nearer"}, {"farther"}, {"centre"}}};
 
   std::string_view name() const { return "order_squared_distance"; }
@@ -39,7 +41,7 @@ struct SquaredDistanceOrder {
 }  // namespace
 
 std::shared_ptr<const Predicate> make_squared_distance_order(int dimension) {
-  return make_by_dimension<SquaredDistanceOrder>(dimension, "squared distances");
+  return make_by_dimension<SquaredDistanceOrder, LengthPredicate>(dimension, "squared distances");
 }
 
 }  // namespace kinex

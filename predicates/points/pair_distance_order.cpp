@@ -6,6 +6,7 @@
 #include <array>
 
 #include "predicates/by_dimension.h"
+#include "predicates/length_predicate.h"
 #include "predicates/predicates.h"
 
 namespace kinex {
@@ -19,6 +20,7 @@ struct PairDistanceOrder {
   static constexpr bool kAlternatesInHalves = true;
   static constexpr int kReference = 0;
   static constexpr bool kOnlyToReference = false;
+  static constexpr LengthEnds kEnds{.shorter_from = 0, .shorter_to = 1, .longer_from = 2, .longer_to = 3};
   static constexpr std::array<ArgumentRole, 4> kRoles{{{"nearer pair, first"},
                                                        {"nearer pair, second"},
                                                        {"farther pair, first"},
@@ -44,7 +46,7 @@ struct PairDistanceOrder {
 }  // namespace
 
 std::shared_ptr<const Predicate> make_pair_distance_order(int dimension) {
-  return make_by_dimension<PairDistanceOrder>(dimension, "distances of pairs");
+  return make_by_dimension<PairDistanceOrder, LengthPredicate>(dimension, "distances of pairs");
 }
 
 }  // namespace kinex
