@@ -63,8 +63,11 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
   }
   if (const auto* const order = dynamic_cast<const LengthOrder*>(&p)) {
     model.lengths = order->length_ends();
-    model.orders_lengths = model.fixed && numbers.narrow && model.reach_error > 0 && !model.in_balls &&
-                           model.homogeneity == 2 && model.degree == 2 * numbers.degree && !model.touches;
+    const bool answers = model.fixed && numbers.narrow && model.reach_error > 0 && !model.in_balls &&
+                         model.homogeneity == 2 && model.degree == 2 * numbers.degree;
+    if (answers) {
+      model.lengths_path = static_cast<LengthsPath>(2 * numbers.degree - (model.lengths.share_an_end() ? 1 : 0));
+    }
   }
   touches_ = touches_ || model.touches;
   models_.push_back(model);
@@ -128,7 +131,7 @@ void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
     for (std::size_t i = 0; i < models_.size(); ++i) {
       models_[i].fixed = models_[i].narrow = models_[i].linear = models_[i].in_lanes = false;
       models_[i].differs = models_[i].differs_in_balls = models_[i].differs_in_lanes = false;
-      models_[i].orders_lengths = false;
+      models_[i].lengths_path = LengthsPath::kNone;
       models_[i].degree = predicates_[i]->degree(motions_.degree());
     }
   }
@@ -139,13 +142,12 @@ void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
   }
 }
 
-double ExactArithmetic::horizon(const Query& query) const {
+// The end of the scene, or of the first motion.
+double ExactArithmetic::first_end(const Query& query) const {
   double b = end_upper_;
-  if (!until_.empty()) {
-    for (int i = 0; i < query.arity; ++i) {
-      const ObjectId id = query.ids[static_cast<std::size_t>(i)];
-      if (id < until_.size()) b = std::min(b, until_[id]);
-    }
+  for (int i = 0; i < query.arity; ++i) {
+    const ObjectId id = query.ids[static_cast<std::size_t>(i)];
+    if (id < until_.size()) b = std::min(b, until_[id]);
   }
   return b;
 }
@@ -171,13 +173,17 @@ std::optional<Sign> ExactArithmetic::sign_over_now(const Approximation& p) const
 }
 
 Sign ExactArithmetic::sign_after(const Query& query) {
-  StageCounts& counts = count(query).signs;
-  if (models_[query.predicate].orders_lengths) {
+  if (models_[query.predicate].lengths_path != LengthsPath::kNone && all_narrow(query)) {
     if (const auto sign = length_sign(query)) {
-      ++counts[static_cast<int>(Stage::kDouble)];
+      ++count(query).signs[static_cast<int>(Stage::kDouble)];
       return *sign;
     }
   }
+  return filtered_sign_after(query);
+}
+
+Sign ExactArithmetic::filtered_sign_after(const Query& query) {
+  StageCounts& counts = count(query).signs;
   if (const auto sign = form_over_now(query)) {
     ++counts[static_cast<int>(Stage::kDouble)];
     return *sign;
@@ -281,7 +287,7 @@ Outlook ExactArithmetic::failure(const Query& query, FailureTime& time) {
 Outlook ExactArithmetic::look_ahead(const Query& query, double limit, FailureTime& time) {
   if (models_[query.predicate].difference_axis >= 0) {
     if (const auto found = difference_failure(query, limit, time)) return *found;
-  } else if (models_[query.predicate].orders_lengths) {
+  } else if (models_[query.predicate].lengths_path != LengthsPath::kNone && all_narrow(query)) {
     if (const auto found = length_failure(query, limit, time)) return *found;
   }
   Outlook outlook;

@@ -121,6 +121,9 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     bool isolated = false;   // ... and its only root in [lo, hi]
     std::uint32_t root = 0;  // exact form, if made
   };
+  // The function of exact_arithmetic_length.cpp that answers a LengthOrder: by the degree of the motions,
+  // and whether the two lengths have an end in common.
+  enum class LengthsPath : std::uint8_t { kNone, kShared1, kApart1, kShared2, kApart2, kShared3, kApart3 };
   struct PredicateModel {
     bool fixed = false;   // arrays of fixed size hold the polynomial of any narrow motions
     bool narrow = false;  // ... and 128-bit integers its coefficients
@@ -137,8 +140,8 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     // A CoordinateDifference that exact_arithmetic_difference.cpp answers: of small integers, of others.
     bool differs = false, differs_in_balls = false;
     bool differs_in_lanes = false;  // groups of its queries are answered in lanes
-    LengthEnds lengths;              // of a LengthOrder
-    bool orders_lengths = false;     // ... that exact_arithmetic_length.cpp answers
+    LengthEnds lengths;  // of a LengthOrder
+    LengthsPath lengths_path = LengthsPath::kNone;
   };
 
   // The queries of begin_group, one per lane. A query is known if the filter's first step answers
@@ -218,13 +221,15 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     return !now_.own || sum_of_ids(query) != now_.sum_of_ids ? 0 : relation_by_ids(query);
   }
   int relation_by_ids(const Query& query) const;
-  double horizon(const Query& query) const;
+  double horizon(const Query& query) const { return until_.empty() ? end_upper_ : first_end(query); }
+  double first_end(const Query& query) const;
   std::optional<Sign> sign_over_now(const Approximation& p) const;
   std::optional<Sign> form_over_now(const Query& query) {
     const LinearForm* const form = models_[query.predicate].form;
     if (form == nullptr || motions_.model().narrow) return std::nullopt;
     return linear_signs_.over(*form, motions_, query, now_.lo, now_.hi);
   }
+  Sign filtered_sign_after(const Query& query);
   Sign exact_sign_after(const Query& query);
   Outlook exact_failure(const Query& query, FailureTime& time);
   std::optional<Outlook> linear_failure(const Query& query, const Approximation& p, int relation,
@@ -239,7 +244,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   bool shifted_difference_of_balls(const Query& query, double* c, double* m) const;
   template <int D, bool kBalls>
   std::optional<Outlook> difference_failure_of(const Query& query, double limit, FailureTime& time);
-  // The same of orders of two lengths.
+  // The same of orders of two lengths. Require all_narrow(query).
   std::optional<Sign> length_sign(const Query& query) const;
   std::optional<Outlook> length_failure(const Query& query, double limit, FailureTime& time);
   template <int D, bool kShared>

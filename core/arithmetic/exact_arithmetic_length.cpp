@@ -41,11 +41,10 @@ typedef std::int64_t TwoMasks __attribute__((vector_size(16)));
 }
 [[gnu::always_inline]] inline Two larger(Two a, Two b) { return b > a ? b : a; }
 
-// a - b on one axis, or on two, in t - x. Exact (shift_is_exact), in whatever order. Raises `reach` to
-// its coefficients.
+// a - b on one axis, or on two, in t - x. Exact (shift_is_exact), in whatever order.
 template <int D, class R>
 [[gnu::always_inline]] inline FixedPolynomial<R, D> difference(MotionView<double> a, MotionView<double> b,
-                                                               double x, R* reach) {
+                                                               double x) {
   FixedPolynomial<R, D> p;
   for (int k = 0; k <= D; ++k) {
     if constexpr (sizeof(R) == sizeof(Two)) {
@@ -57,22 +56,27 @@ template <int D, class R>
   for (int i = 0; i < D; ++i) {
     for (int j = D - 1; j >= i; --j) p.c[j] += x * p.c[j + 1];
   }
-  for (int k = 0; k <= D; ++k) reach[k] = larger(reach[k], magnitude_of(p.c[k]));
   return p;
 }
 
-// The motions of the ends, on one axis and those after it; o and p may be the same (kShared).
+// The motions of the ends: v = a - o, u = b - p. o and p may be the same (kShared).
 struct Ends {
-  MotionView<double> o, a, p, b;  // v = a - o, u = b - p
+  MotionView<double> o, a, p, b;
 };
 
-// (u - v)(u + v) on one axis, or on two.
+// (u - v)(u + v) on the axis that begins at `first`, or on two, and the reach there: the largest
+// differences from o.
 template <int D, bool kShared, class R>
 [[gnu::always_inline]] inline FixedPolynomial<R, 2 * D> term(const Ends& ends, std::size_t first, double x,
                                                              R* reach) {
-  const auto v = difference<D>(ends.a + first, ends.o + first, x, reach);
-  auto u = difference<D>(ends.b + first, ends.o + first, x, reach);
-  if constexpr (!kShared) u = u - difference<D>(ends.p + first, ends.o + first, x, reach);
+  const auto v = difference<D, R>(ends.a + first, ends.o + first, x);
+  auto u = difference<D, R>(ends.b + first, ends.o + first, x);
+  for (int k = 0; k <= D; ++k) reach[k] = larger(magnitude_of(v.c[k]), magnitude_of(u.c[k]));
+  if constexpr (!kShared) {
+    const auto w = difference<D, R>(ends.p + first, ends.o + first, x);
+    for (int k = 0; k <= D; ++k) reach[k] = larger(reach[k], magnitude_of(w.c[k]));
+    u = u - w;
+  }
   return (u - v) * (u + v);
 }
 
@@ -91,24 +95,27 @@ template <int D, bool kShared>
   // The sum of one axis, of two, or of two and one.
   constexpr std::size_t kPowers = D + 1;
   double reach[D + 1];
-  for (int k = 0; k <= D; ++k) reach[k] = 0;
+  FixedPolynomial<double, 2 * D> sum;
   if (model.reads > kPowers) {
     Two both[D + 1];
-    for (int k = 0; k <= D; ++k) both[k] = Two{0, 0};
-    const auto sum = term<D, kShared>(ends, 0, origin_, both);
-    for (int i = 0; i <= 2 * D; ++i) c[i] = sum.c[i][0] + sum.c[i][1];
+    const auto terms = term<D, kShared>(ends, 0, origin_, both);
+    for (int i = 0; i <= 2 * D; ++i) sum.c[i] = terms.c[i][0] + terms.c[i][1];
     for (int k = 0; k <= D; ++k) reach[k] = larger(both[k][0], both[k][1]);
     if (model.reads > 2 * kPowers) {
-      const auto last = term<D, kShared>(ends, 2 * kPowers, origin_, reach);
-      for (int i = 0; i <= 2 * D; ++i) c[i] += last.c[i];
+      double third[D + 1];
+      sum = sum + term<D, kShared>(ends, 2 * kPowers, origin_, third);
+      for (int k = 0; k <= D; ++k) reach[k] = larger(reach[k], third[k]);
     }
   } else {
-    const auto only = term<D, kShared>(ends, 0, origin_, reach);
-    for (int i = 0; i <= 2 * D; ++i) c[i] = only.c[i];
+    sum = term<D, kShared>(ends, 0, origin_, reach);
   }
   double power[2 * D + 1];
   square_of<D>(reach, power);
-  for (int i = 0; i <= 2 * D; ++i) m[i] = std::fabs(c[i]) + model.reach_error * power[i];
+  const double error = model.reach_error;
+  for (int i = 0; i <= 2 * D; ++i) {
+    c[i] = sum.c[i];
+    m[i] = std::fabs(c[i]) + error * power[i];
+  }
   return m[2 * D] != 0;
 }
 
@@ -171,37 +178,30 @@ std::optional<Outlook> ExactArithmetic::length_failure_of(const Query& query, do
 }
 
 std::optional<Sign> ExactArithmetic::length_sign(const Query& query) const {
-  if (!all_narrow(query)) return std::nullopt;
-  const bool shared = models_[query.predicate].lengths.shares_an_end();
-  switch (motions_.degree()) {
-    case 1:
-      return shared ? length_sign_of<1, true>(query) : length_sign_of<1, false>(query);
-    case 2:
-      return shared ? length_sign_of<2, true>(query) : length_sign_of<2, false>(query);
-    case 3:
-      return shared ? length_sign_of<3, true>(query) : length_sign_of<3, false>(query);
-    default:
-      return std::nullopt;
+  switch (models_[query.predicate].lengths_path) {
+    case LengthsPath::kShared1: return length_sign_of<1, true>(query);
+    case LengthsPath::kApart1: return length_sign_of<1, false>(query);
+    case LengthsPath::kShared2: return length_sign_of<2, true>(query);
+    case LengthsPath::kApart2: return length_sign_of<2, false>(query);
+    case LengthsPath::kShared3: return length_sign_of<3, true>(query);
+    case LengthsPath::kApart3: return length_sign_of<3, false>(query);
+    case LengthsPath::kNone: break;
   }
+  return std::nullopt;
 }
 
 std::optional<Outlook> ExactArithmetic::length_failure(const Query& query, double limit,
                                                        FailureTime& time) {
-  if (!all_narrow(query)) return std::nullopt;
-  const bool shared = models_[query.predicate].lengths.shares_an_end();
-  switch (motions_.degree()) {
-    case 1:
-      return shared ? length_failure_of<1, true>(query, limit, time)
-                    : length_failure_of<1, false>(query, limit, time);
-    case 2:
-      return shared ? length_failure_of<2, true>(query, limit, time)
-                    : length_failure_of<2, false>(query, limit, time);
-    case 3:
-      return shared ? length_failure_of<3, true>(query, limit, time)
-                    : length_failure_of<3, false>(query, limit, time);
-    default:
-      return std::nullopt;
+  switch (models_[query.predicate].lengths_path) {
+    case LengthsPath::kShared1: return length_failure_of<1, true>(query, limit, time);
+    case LengthsPath::kApart1: return length_failure_of<1, false>(query, limit, time);
+    case LengthsPath::kShared2: return length_failure_of<2, true>(query, limit, time);
+    case LengthsPath::kApart2: return length_failure_of<2, false>(query, limit, time);
+    case LengthsPath::kShared3: return length_failure_of<3, true>(query, limit, time);
+    case LengthsPath::kApart3: return length_failure_of<3, false>(query, limit, time);
+    case LengthsPath::kNone: break;
   }
+  return std::nullopt;
 }
 
 }  // namespace kinex

@@ -15,7 +15,7 @@ namespace kinex {
 struct LengthEnds {
   std::uint8_t shorter_from = 0, shorter_to = 0, longer_from = 0, longer_to = 0;
 
-  constexpr bool shares_an_end() const { return longer_from == shorter_from; }
+  constexpr bool share_an_end() const { return longer_from == shorter_from; }
 };
 
 // A second base class of those predicates. The formula has to be the sum of (u - v)(u + v) over the axes,
