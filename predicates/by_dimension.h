@@ -30,9 +30,12 @@ auto sum_over_axes(const Term& term) {
 template <template <int> class Formula, template <class> class Maker = FormulaPredicate>
 std::shared_ptr<const Predicate> make_by_dimension(int dimension, const std::string& what) {
   switch (dimension) {
-    case 1: return std::make_shared<Maker<Formula<1>>>();
-    case 2: return std::make_shared<Maker<Formula<2>>>();
-    case 3: return std::make_shared<Maker<Formula<3>>>();
+    case 1:
+      return std::make_shared<Maker<Formula<1>>>();
+    case 2:
+      return std::make_shared<Maker<Formula<2>>>();
+    case 3:
+      return std::make_shared<Maker<Formula<3>>>();
     default: throw std::invalid_argument(what + " are offered in 1 to 3 dimensions");
   }
 }

@@ -63,10 +63,12 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
   }
   if (const auto* const order = dynamic_cast<const LengthOrder*>(&p)) {
     model.lengths = order->length_ends();
-    const bool answers = model.fixed && numbers.narrow && model.reach_error > 0 && !model.in_balls &&
-                         model.homogeneity == 2 && model.degree == 2 * numbers.degree;
+    const bool answers = model.fixed && numbers.narrow && model.reach_error > 0 &&
+                         !model.in_balls && model.homogeneity == 2 &&
+                         model.degree == 2 * numbers.degree;
     if (answers) {
-      model.lengths_path = static_cast<LengthsPath>(2 * numbers.degree - (model.lengths.share_an_end() ? 1 : 0));
+      model.lengths_path =
+          static_cast<LengthsPath>(2 * numbers.degree - (model.lengths.share_an_end() ? 1 : 0));
     }
   }
   touches_ = touches_ || model.touches;
@@ -164,11 +166,16 @@ int ExactArithmetic::relation_by_ids(const Query& query) const {
 std::optional<Sign> ExactArithmetic::sign_over_now(const Approximation& p) const {
   const filter::Interval now{now_.lo - p.origin, now_.hi - p.origin, now_.hi - now_.lo};
   switch (p.degree) {
-    case 1: return filter::sign_over<1>(p.c, p.m, 1, now);
-    case 2: return filter::sign_over<2>(p.c, p.m, 2, now);
-    case 3: return filter::sign_over<3>(p.c, p.m, 3, now);
-    case 4: return filter::sign_over<4>(p.c, p.m, 4, now);
-    default: return filter::sign_over<-1>(p.c, p.m, p.degree, now);
+    case 1:
+      return filter::sign_over<1>(p.c, p.m, 1, now);
+    case 2:
+      return filter::sign_over<2>(p.c, p.m, 2, now);
+    case 3:
+      return filter::sign_over<3>(p.c, p.m, 3, now);
+    case 4:
+      return filter::sign_over<4>(p.c, p.m, 4, now);
+    default:
+      return filter::sign_over<-1>(p.c, p.m, p.degree, now);
   }
 }
 

@@ -123,7 +123,15 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   };
   // The function of exact_arithmetic_length.cpp that answers a LengthOrder: by the degree of the motions,
   // and whether the two lengths have an end in common.
-  enum class LengthsPath : std::uint8_t { kNone, kShared1, kApart1, kShared2, kApart2, kShared3, kApart3 };
+  enum class LengthsPath : std::uint8_t {
+    kNone,
+    kShared1,
+    kApart1,
+    kShared2,
+    kApart2,
+    kShared3,
+    kApart3
+  };
   struct PredicateModel {
     bool fixed = false;   // arrays of fixed size hold the polynomial of any narrow motions
     bool narrow = false;  // ... and 128-bit integers its coefficients
@@ -140,7 +148,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     // A CoordinateDifference that exact_arithmetic_difference.cpp answers: of small integers, of others.
     bool differs = false, differs_in_balls = false;
     bool differs_in_lanes = false;  // groups of its queries are answered in lanes
-    LengthEnds lengths;  // of a LengthOrder
+    LengthEnds lengths;             // of a LengthOrder
     LengthsPath lengths_path = LengthsPath::kNone;
   };
 
@@ -221,7 +229,9 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     return !now_.own || sum_of_ids(query) != now_.sum_of_ids ? 0 : relation_by_ids(query);
   }
   int relation_by_ids(const Query& query) const;
-  double horizon(const Query& query) const { return until_.empty() ? end_upper_ : first_end(query); }
+  double horizon(const Query& query) const {
+    return until_.empty() ? end_upper_ : first_end(query);
+  }
   double first_end(const Query& query) const;
   std::optional<Sign> sign_over_now(const Approximation& p) const;
   std::optional<Sign> form_over_now(const Query& query) {

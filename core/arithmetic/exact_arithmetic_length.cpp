@@ -43,8 +43,8 @@ typedef std::int64_t TwoMasks __attribute__((vector_size(16)));
 
 // a - b on one axis, or on two, in t - x. Exact (shift_is_exact), in whatever order.
 template <int D, class R>
-[[gnu::always_inline]] inline FixedPolynomial<R, D> difference(MotionView<double> a, MotionView<double> b,
-                                                               double x) {
+[[gnu::always_inline]] inline FixedPolynomial<R, D> difference(MotionView<double> a,
+                                                               MotionView<double> b, double x) {
   FixedPolynomial<R, D> p;
   for (int k = 0; k <= D; ++k) {
     if constexpr (sizeof(R) == sizeof(Two)) {
@@ -67,8 +67,8 @@ struct Ends {
 // (u - v)(u + v) on the axis that begins at `first`, or on two, and the reach there: the largest
 // differences from o.
 template <int D, bool kShared, class R>
-[[gnu::always_inline]] inline FixedPolynomial<R, 2 * D> term(const Ends& ends, std::size_t first, double x,
-                                                             R* reach) {
+[[gnu::always_inline]] inline FixedPolynomial<R, 2 * D> term(const Ends& ends, std::size_t first,
+                                                             double x, R* reach) {
   const auto v = difference<D, R>(ends.a + first, ends.o + first, x);
   auto u = difference<D, R>(ends.b + first, ends.o + first, x);
   for (int k = 0; k <= D; ++k) reach[k] = larger(magnitude_of(v.c[k]), magnitude_of(u.c[k]));
@@ -123,7 +123,8 @@ template <int D, bool kShared>
 std::optional<Sign> ExactArithmetic::length_sign_of(const Query& query) const {
   double c[2 * D + 1], m[2 * D + 1];
   if (!shifted_lengths<D, kShared>(query, c, m)) return std::nullopt;
-  return filter::sign_over<2 * D>(c, m, 2 * D, {now_.lo - origin_, now_.hi - origin_, now_.hi - now_.lo});
+  return filter::sign_over<2 * D>(c, m, 2 * D,
+                                  {now_.lo - origin_, now_.hi - origin_, now_.hi - now_.lo});
 }
 
 template <int D, bool kShared>
@@ -179,13 +180,20 @@ std::optional<Outlook> ExactArithmetic::length_failure_of(const Query& query, do
 
 std::optional<Sign> ExactArithmetic::length_sign(const Query& query) const {
   switch (models_[query.predicate].lengths_path) {
-    case LengthsPath::kShared1: return length_sign_of<1, true>(query);
-    case LengthsPath::kApart1: return length_sign_of<1, false>(query);
-    case LengthsPath::kShared2: return length_sign_of<2, true>(query);
-    case LengthsPath::kApart2: return length_sign_of<2, false>(query);
-    case LengthsPath::kShared3: return length_sign_of<3, true>(query);
-    case LengthsPath::kApart3: return length_sign_of<3, false>(query);
-    case LengthsPath::kNone: break;
+    case LengthsPath::kShared1:
+      return length_sign_of<1, true>(query);
+    case LengthsPath::kApart1:
+      return length_sign_of<1, false>(query);
+    case LengthsPath::kShared2:
+      return length_sign_of<2, true>(query);
+    case LengthsPath::kApart2:
+      return length_sign_of<2, false>(query);
+    case LengthsPath::kShared3:
+      return length_sign_of<3, true>(query);
+    case LengthsPath::kApart3:
+      return length_sign_of<3, false>(query);
+    case LengthsPath::kNone:
+      break;
   }
   return std::nullopt;
 }
@@ -193,13 +201,20 @@ std::optional<Sign> ExactArithmetic::length_sign(const Query& query) const {
 std::optional<Outlook> ExactArithmetic::length_failure(const Query& query, double limit,
                                                        FailureTime& time) {
   switch (models_[query.predicate].lengths_path) {
-    case LengthsPath::kShared1: return length_failure_of<1, true>(query, limit, time);
-    case LengthsPath::kApart1: return length_failure_of<1, false>(query, limit, time);
-    case LengthsPath::kShared2: return length_failure_of<2, true>(query, limit, time);
-    case LengthsPath::kApart2: return length_failure_of<2, false>(query, limit, time);
-    case LengthsPath::kShared3: return length_failure_of<3, true>(query, limit, time);
-    case LengthsPath::kApart3: return length_failure_of<3, false>(query, limit, time);
-    case LengthsPath::kNone: break;
+    case LengthsPath::kShared1:
+      return length_failure_of<1, true>(query, limit, time);
+    case LengthsPath::kApart1:
+      return length_failure_of<1, false>(query, limit, time);
+    case LengthsPath::kShared2:
+      return length_failure_of<2, true>(query, limit, time);
+    case LengthsPath::kApart2:
+      return length_failure_of<2, false>(query, limit, time);
+    case LengthsPath::kShared3:
+      return length_failure_of<3, true>(query, limit, time);
+    case LengthsPath::kApart3:
+      return length_failure_of<3, false>(query, limit, time);
+    case LengthsPath::kNone:
+      break;
   }
   return std::nullopt;
 }

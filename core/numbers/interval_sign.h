@@ -23,8 +23,8 @@ struct Interval {  // of times t - origin
 //
 // D >= 0: the degree, known at compile time; D < 0: the degree is given at run time.
 template <int D>
-[[gnu::always_inline]] inline std::optional<Sign> sign_over(const double* c, const double* m, int degree,
-                                                            const Interval& interval) {
+[[gnu::always_inline]] inline std::optional<Sign> sign_over(const double* c, const double* m,
+                                                            int degree, const Interval& interval) {
   const int d = D >= 0 ? D : degree;
   const double t = interval.hi;
   const double bound = std::max(std::fabs(interval.lo), std::fabs(t));

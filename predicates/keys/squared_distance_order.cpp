@@ -18,7 +18,8 @@ struct SquaredDistanceOrder {
   static constexpr int kAlternating = 2;
   static constexpr int kReference = 2;
   static constexpr bool kOnlyToReference = false;
-  static constexpr LengthEnds kEnds{.shorter_from = 2, .shorter_to = 0, .longer_from = 2, .longer_to = 1};
+  static constexpr LengthEnds kEnds{
+      .shorter_from = 2, .shorter_to = 0, .longer_from = 2, .longer_to = 1};
   static constexpr std::array<ArgumentRole, 3> kRoles{{{"nearer"}, {"farther"}, {"centre"}}};
 
   std::string_view name() const { return "order_squared_distance"; }

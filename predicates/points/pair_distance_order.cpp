@@ -20,7 +20,8 @@ struct PairDistanceOrder {
   static constexpr bool kAlternatesInHalves = true;
   static constexpr int kReference = 0;
   static constexpr bool kOnlyToReference = false;
-  static constexpr LengthEnds kEnds{.shorter_from = 0, .shorter_to = 1, .longer_from = 2, .longer_to = 3};
+  static constexpr LengthEnds kEnds{
+      .shorter_from = 0, .shorter_to = 1, .longer_from = 2, .longer_to = 3};
   static constexpr std::array<ArgumentRole, 4> kRoles{{{"nearer pair, first"},
                                                        {"nearer pair, second"},
                                                        {"farther pair, first"},
