@@ -292,10 +292,15 @@ Outlook ExactArithmetic::failure(const Query& query, FailureTime& time) {
 }
 
 Outlook ExactArithmetic::look_ahead(const Query& query, double limit, FailureTime& time) {
+  if (models_[query.predicate].lengths_path != LengthsPath::kNone && all_narrow(query)) {
+    if (const auto found = length_failure(query, limit, time)) return *found;
+  }
+  return filtered_look_ahead(query, limit, time);
+}
+
+Outlook ExactArithmetic::filtered_look_ahead(const Query& query, double limit, FailureTime& time) {
   if (models_[query.predicate].difference_axis >= 0) {
     if (const auto found = difference_failure(query, limit, time)) return *found;
-  } else if (models_[query.predicate].lengths_path != LengthsPath::kNone && all_narrow(query)) {
-    if (const auto found = length_failure(query, limit, time)) return *found;
   }
   Outlook outlook;
   const Stage stage = find_failure(query, limit, time, outlook);

@@ -239,7 +239,10 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     if (form == nullptr || motions_.model().narrow) return std::nullopt;
     return linear_signs_.over(*form, motions_, query, now_.lo, now_.hi);
   }
-  Sign filtered_sign_after(const Query& query);
+  // What sign_after and look_ahead do where no path of lengths answers.
+  [[gnu::noinline]] Sign filtered_sign_after(const Query& query);
+  [[gnu::noinline]] Outlook filtered_look_ahead(const Query& query, double limit,
+                                                FailureTime& time);
   Sign exact_sign_after(const Query& query);
   Outlook exact_failure(const Query& query, FailureTime& time);
   std::optional<Outlook> linear_failure(const Query& query, const Approximation& p, int relation,

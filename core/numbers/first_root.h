@@ -63,9 +63,12 @@ struct Enclosure {  // an interval [lo, hi]
 
 // std::nextafter(x, infinity) and std::nextafter(x, -infinity), without a call.
 inline double next_up(double x) {
-  if (!(x < std::numeric_limits<double>::infinity())) return x;
-  if (x == 0) return std::numeric_limits<double>::denorm_min();
-  return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) + (x > 0 ? 1 : -1));
+  const auto moved = [x](int units) {
+    return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) + units);
+  };
+  if (x > 0) return x < std::numeric_limits<double>::infinity() ? moved(1) : x;
+  if (x < 0) return moved(-1);
+  return x == 0 ? std::numeric_limits<double>::denorm_min() : x;
 }
 inline double next_down(double x) { return -next_up(-x); }
 
@@ -126,43 +129,16 @@ class FirstRoot {
 
   // The same search, continued from the first node: `bernstein` has its coefficients (and is
   // overwritten), `error` bounds their errors (negative: no bound is known).
-  Search from_first_node(double a, double end, std::array<double, kRoom>& bernstein, double error,
-                         Enclosure& out) const {
-    std::array<double, kMaxNodes + 1> pending;  // right ends of nodes still to be visited
-    int top = 0;
-    double x = a;
-    double y = end;
-    double length = length_of(x, y);
-    for (int nodes = 0;;) {
-      if (!(error >= 0)) return kCertify ? Search::kUnknown : Search::kNone;
-      int plus = 0, minus = 0;
-      const int variations = classify(bernstein, error, plus, minus);
-      if (variations == 0) {
-        if (top == 0) return Search::kNone;
-        x = y;
-        y = pending[static_cast<std::size_t>(--top)];
-      } else if (variations == 1) {
-        const double bp = bernstein[static_cast<std::size_t>(plus)];
-        const double bm = bernstein[static_cast<std::size_t>(minus)];
-        const double fraction = (plus + (minus - plus) * (bp / (bp - bm))) / d();
-        // x + length may have been rounded up by half a unit: stay strictly inside the node.
-        const double last = x + length > x ? next_down(x + length) : x + length;
-        if constexpr (D == 2 && kCertify) {
-          if (solve(x, last, out) == Search::kFound) return Search::kFound;
-        }
-        return refine(x, last, x + length * fraction, out);
-      } else {
-        // Not at the middle, where the roots of simple inputs lie.
-        const double middle = x + (y - x) * (31.0 / 64);
-        if (!(middle > x && middle < y) || y - x < 0x1p-48 * std::fabs(x)) break;
-        pending[static_cast<std::size_t>(top++)] = y;
-        y = middle;
+  [[gnu::always_inline]] Search from_first_node(double a, double end,
+                                                std::array<double, kRoom>& bernstein, double error,
+                                                Enclosure& out) const {
+    // Most searches of degree 2 end here, at signs + ? -. The loop finds the same, later.
+    if constexpr (D == 2 && kCertify) {
+      if (error >= 0 && bernstein[2] < -error) {
+        if (solve(a, last_of(a, length_of(a, end)), out) == Search::kFound) return Search::kFound;
       }
-      if (++nodes == kMaxNodes) break;
-      length = length_of(x, y);
-      error = expand(x, length, bernstein);
     }
-    return kCertify ? Search::kUnknown : Search::kNone;
+    return from_node(a, end, bernstein, error, out);
   }
 
   // Bernstein coefficients on [x, x + length]; returns a bound on their errors, negative if none.
@@ -214,7 +190,50 @@ class FirstRoot {
   }
 
  private:
+  Search from_node(double a, double end, std::array<double, kRoom>& bernstein, double error,
+                   Enclosure& out) const {
+    std::array<double, kMaxNodes + 1> pending;  // right ends of nodes still to be visited
+    int top = 0;
+    double x = a;
+    double y = end;
+    double length = length_of(x, y);
+    for (int nodes = 0;;) {
+      if (!(error >= 0)) return kCertify ? Search::kUnknown : Search::kNone;
+      int plus = 0, minus = 0;
+      const int variations = classify(bernstein, error, plus, minus);
+      if (variations == 0) {
+        if (top == 0) return Search::kNone;
+        x = y;
+        y = pending[static_cast<std::size_t>(--top)];
+      } else if (variations == 1) {
+        const double bp = bernstein[static_cast<std::size_t>(plus)];
+        const double bm = bernstein[static_cast<std::size_t>(minus)];
+        const double fraction = (plus + (minus - plus) * (bp / (bp - bm))) / d();
+        const double last = last_of(x, length);
+        if constexpr (D == 2 && kCertify) {
+          if (solve(x, last, out) == Search::kFound) return Search::kFound;
+        }
+        return refine(x, last, x + length * fraction, out);
+      } else {
+        // Not at the middle, where the roots of simple inputs lie.
+        const double middle = x + (y - x) * (31.0 / 64);
+        if (!(middle > x && middle < y) || y - x < 0x1p-48 * std::fabs(x)) break;
+        pending[static_cast<std::size_t>(top++)] = y;
+        y = middle;
+      }
+      if (++nodes == kMaxNodes) break;
+      length = length_of(x, y);
+      error = expand(x, length, bernstein);
+    }
+    return kCertify ? Search::kUnknown : Search::kNone;
+  }
+
   int d() const { return D >= 0 ? D : degree_; }
+
+  // x + length may have been rounded up by half a unit: stay strictly inside the node.
+  static double last_of(double x, double length) {
+    return x + length > x ? next_down(x + length) : x + length;
+  }
 
   // Most bounds are below the limit of the largest degree, which needs no power.
   bool is_near(double bound) const {

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -171,6 +175,25 @@ TEST(FirstRoot, OverflowAndUnderflowAbstain) {
   const double c[] = {1, nan, -1}, m[] = {1, nan, 1};
   EXPECT_EQ(filter::first_sign_change<true>(c, m, 2, 0, 0, 1, out), Search::kUnknown);
   EXPECT_EQ(filter::first_sign_change<false>(c, m, 2, 0, 0, 1, out), Search::kNone);
+}
+
+TEST(FirstRoot, NeighboursAreThoseOfTheLibrary) {
+  using Limits = std::numeric_limits<double>;
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  std::mt19937_64 random(5);
+  std::vector<double> numbers{
+      0, 1, Limits::min(), Limits::denorm_min(), Limits::max(), Limits::infinity()};
+  while (numbers.size() < 1000) {
+    const double x = std::bit_cast<double>(random());
+    if (!std::isnan(x)) numbers.push_back(x);
+  }
+  for (const double x : numbers) {
+    for (const double y : {x, -x}) {
+      EXPECT_EQ(bits(filter::next_up(y)), bits(std::nextafter(y, Limits::infinity()))) << y;
+      EXPECT_EQ(bits(filter::next_down(y)), bits(std::nextafter(y, -Limits::infinity()))) << y;
+    }
+  }
+  EXPECT_TRUE(std::isnan(filter::next_up(Limits::quiet_NaN())));
 }
 
 }  // namespace first_root_test
