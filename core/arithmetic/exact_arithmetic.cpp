@@ -65,7 +65,8 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
     model.lengths = order->length_ends();
     const bool answers = model.fixed && numbers.narrow && model.reach_error > 0 &&
                          !model.in_balls && model.homogeneity == 2 &&
-                         model.degree == 2 * numbers.degree;
+                         model.degree == 2 * numbers.degree &&
+                         p.arity() == (model.lengths.share_an_end() ? 3 : 4);
     if (answers) {
       model.lengths_path =
           static_cast<LengthsPath>(2 * numbers.degree - (model.lengths.share_an_end() ? 1 : 0));

@@ -135,7 +135,11 @@ std::optional<Outlook> ExactArithmetic::length_failure_of(const Query& query, do
   double c[kDegree + 1], m[kDegree + 1];
   if (!shifted_lengths<D, kShared>(query, c, m)) return std::nullopt;
   const double from = now_.hi - origin_;
-  const int relation = relation_to_now(query);
+  // Summed one by one: loads across the pieces of a new query would wait for its stores (query.h).
+  ObjectId sum = query.ids[0] + query.ids[1] + query.ids[2];
+  if constexpr (!kShared) sum += query.ids[3];
+  const bool may_relate = now_.own && sum == now_.sum_of_ids;
+  const int relation = may_relate ? relation_by_ids(query) : 0;
   bool fails = relation > 0;  // the polynomial that has just become negative
   if (relation < 0 && !now_.isolated) return std::nullopt;
   if (relation == 0) {

@@ -18,8 +18,9 @@ struct LengthEnds {
   constexpr bool share_an_end() const { return longer_from == shorter_from; }
 };
 
-// A second base class of those predicates. The formula has to be the sum of (u - v)(u + v) over the axes,
-// in their order, and its reference (core/arithmetic/predicate_formula.h) the argument shorter_from.
+// A second base class of those predicates, which have no other arguments. The formula has to be the sum
+// of (u - v)(u + v) over the axes, in their order, and its reference
+// (core/arithmetic/predicate_formula.h) the argument shorter_from.
 class LengthOrder {
  public:
   virtual ~LengthOrder() = default;
