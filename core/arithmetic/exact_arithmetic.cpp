@@ -63,8 +63,8 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
   }
   if (const auto* const order = dynamic_cast<const LengthOrder*>(&p)) {
     model.lengths = order->length_ends();
-    const bool answers = model.fixed && numbers.narrow && model.reach_error > 0 &&
-                         !model.in_balls && model.homogeneity == 2 &&
+    const bool answers = model.fixed && numbers.narrow && p.dimension() <= 3 &&
+                         model.reach_error > 0 && !model.in_balls && model.homogeneity == 2 &&
                          model.degree == 2 * numbers.degree &&
                          p.arity() == (model.lengths.share_an_end() ? 3 : 4);
     if (answers) {
