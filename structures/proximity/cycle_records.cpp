@@ -33,9 +33,14 @@ void CycleRecords::add(Item inside, Item outside, Item owner) {
     place = free_.back();
     free_.pop_back();
   }
-  records_[place] = {inside, outside, owner, kNoCertificate, list(uses_, inside, place),
-                     list(cycles_, owner, place)};
-  certify(place);
+  records_[place] = {inside,
+                     outside,
+                     owner,
+                     kNoCertificate,
+                     list(uses_, inside, place),
+                     list(cycles_, owner, place),
+                     false};
+  wait(place);
 }
 
 void CycleRecords::change(Place place, Item inside, Item outside) {
@@ -46,12 +51,12 @@ void CycleRecords::change(Place place, Item inside, Item outside) {
     record.at_inside = list(uses_, inside, place);
   }
   record.outside = outside;
-  certify(place);
+  wait(place);
 }
 
 void CycleRecords::drop(Place place) {
   Record& record = records_[place];
-  slots_.drop(record.certificate);
+  if (record.certificate != kNoCertificate) spare_.push_back(record.certificate);
   unlist_inside(record);
   std::vector<Place>& places = cycles_[record.owner];
   records_[places.back()].at_owner = record.at_owner;
@@ -74,6 +79,9 @@ void CycleRecords::exchange_cycles(Item a, Item b) {
 
 void CycleRecords::clear() {
   for (Record& record : records_) slots_.drop(record.certificate);
+  for (CertificateId& spare : spare_) slots_.drop(spare);
+  spare_.clear();
+  waiting_.clear();
   records_.clear();
   free_.clear();
   cycles_.clear();
@@ -84,15 +92,33 @@ void CycleRecords::clear() {
 
 // ---- certificates
 
-void CycleRecords::certify(Place place) {
-  Record& record = records_[place];
-  const Query claim = edges_->claim(record.inside, record.outside);
-  const Outlook outlook = slots_.set(record.certificate, claim, place);
-  if (outlook == Outlook::kIdenticallyZero) tied_.push_back(place);
-  if (outlook == Outlook::kFailsNow) failing_.push_back(place);
+void CycleRecords::wait(Place place) {
+  if (records_[place].is_waiting) return;
+  records_[place].is_waiting = true;
+  waiting_.push_back(place);
+}
+
+void CycleRecords::certify() {
+  for (const Place place : waiting_) {
+    Record& record = records_[place];
+    if (!record.is_waiting) continue;  // it has gone
+    record.is_waiting = false;
+    if (record.certificate == kNoCertificate && !spare_.empty()) {
+      record.certificate = spare_.back();
+      spare_.pop_back();
+    }
+    const Query claim = edges_->claim(record.inside, record.outside);
+    const Outlook outlook = slots_.set(record.certificate, claim, place);
+    if (outlook == Outlook::kIdenticallyZero) tied_.push_back(place);
+    if (outlook == Outlook::kFailsNow) failing_.push_back(place);
+  }
+  waiting_.clear();
+  for (CertificateId& spare : spare_) slots_.drop(spare);
+  spare_.clear();
 }
 
 std::optional<CycleRecords::Place> CycleRecords::next_tie() {
+  certify();
   while (!tied_.empty()) {
     const Place place = tied_.back();
     tied_.pop_back();
@@ -104,6 +130,7 @@ std::optional<CycleRecords::Place> CycleRecords::next_tie() {
 }
 
 std::optional<CycleRecords::Place> CycleRecords::next_failing() {
+  certify();
   while (!failing_.empty()) {
     const Place place = failing_.back();
     failing_.pop_back();
@@ -138,7 +165,7 @@ void CycleRecords::renew(Place place) {
   const Record& record = records_[place];
   const Query claim = edges_->claim(record.inside, record.outside);
   if (!slots_.holds(record.certificate, claim, place)) {
-    certify(place);
+    wait(place);
   } else if (slots_.is_tie(record.certificate)) {
     tied_.push_back(place);
   }
@@ -163,8 +190,11 @@ void CycleRecords::check_all(AuditReport& report) const {
 }
 
 std::size_t CycleRecords::bytes() const {
-  std::size_t sum = records_.capacity() * sizeof(Record) +
-                    (free_.capacity() + tied_.capacity() + failing_.capacity()) * sizeof(Place);
+  std::size_t sum =
+      records_.capacity() * sizeof(Record) +
+      (free_.capacity() + waiting_.capacity() + tied_.capacity() + failing_.capacity()) *
+          sizeof(Place) +
+      spare_.capacity() * sizeof(CertificateId);
   for (const Lists* lists : {&cycles_, &uses_}) {
     sum += lists->capacity() * sizeof(std::vector<Place>);
     for (const std::vector<Place>& places : *lists) sum += places.capacity() * sizeof(Place);

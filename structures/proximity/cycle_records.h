@@ -27,6 +27,7 @@ class CycleRecords {
     Item inside = kNoItem, outside = kNoItem, owner = kNoItem;
     CertificateId certificate = kNoCertificate;
     std::uint32_t at_inside = 0, at_owner = 0;  // its places in the lists of the two
+    bool is_waiting = false;                    // for a certificate
   };
 
   // `edges` outlives this part.
@@ -43,7 +44,7 @@ class CycleRecords {
   // Numbers of edges are below.
   void make_room(std::size_t items);
   void add(Item inside, Item outside, Item owner);
-  // The record has these edges, and a certificate made anew.
+  // The record has these edges from now on.
   void change(Place place, Item inside, Item outside);
   void drop(Place place);
   void drop_cycle(Item owner);
@@ -53,16 +54,29 @@ class CycleRecords {
   void clear();
 
   // ---- certificates
+  // Makes those of the records that have come or changed since the last call. So a record that changes
+  // twice, or goes again, costs none, and the certificates of records that have gone are replaced.
+  void certify();
+  // The kernel has retracted all certificates of the structure: none is made any more.
+  void give_up() {
+    waiting_.clear();
+    spare_.clear();
+    tied_.clear();
+    failing_.clear();
+  }
   bool owns(CertificateId certificate) const { return slots_.owns(certificate); }
   // A certificate of this part has failed. Returns its record, which is to be changed or dropped.
   Place failed(CertificateId certificate) { return slots_.failed(certificate); }
   // A record that ties in the wrong order: `outside` goes first. Each is returned once; nullopt: there
-  // is no other one among those made since the last call, and those noted.
+  // is no other one among those made since the last call, and those noted. Certifies.
   std::optional<Place> next_tie();
-  // A record made since the last call, or since forget_failing, that fails right after now.
+  // A record made since the last call, or since forget_failing, that fails right after now. Certifies.
   std::optional<Place> next_failing();
-  // What fails now fails next.
-  void forget_failing() { failing_.clear(); }
+  // Certifies, and leaves what fails now to fail next.
+  void forget_failing() {
+    certify();
+    failing_.clear();
+  }
   // New motions: notes the ties among the certificates of these objects.
   void note_ties(std::span<const ObjectId> objects);
   // The claims about these edges may be others now: makes their certificates anew where they are.
@@ -79,7 +93,7 @@ class CycleRecords {
 
   static std::uint32_t list(Lists& lists, Item item, Place place);
   void unlist_inside(const Record& record);
-  void certify(Place place);
+  void wait(Place place);
   void renew(Place place);
 
   Slots slots_;
@@ -87,6 +101,8 @@ class CycleRecords {
   std::vector<Record> records_;
   std::vector<Place> free_;
   Lists cycles_, uses_;  // by item
+  std::vector<Place> waiting_;        // for certificates, and some that are not
+  std::vector<CertificateId> spare_;  // certificates of no record
   // Records whose certificates were identically zero, or negative right after now, when they were
   // made. They may have changed since.
   std::vector<Place> tied_, failing_;

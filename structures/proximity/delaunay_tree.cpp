@@ -26,7 +26,12 @@ void DelaunayTree::remove(const Edge& edge) {
   const Item item = lengths_.find(edge);
   if (item == kNoItem) return;
   engine_->remove(item);
-  lengths_.remove(item);
+  forget(item);
+}
+
+// The engine may use it still.
+void DelaunayTree::forget(Item item) {
+  lengths_.remove(item, [this](Item one) { return engine_->uses(one); });
 }
 
 // The edges become those of the triangulation: first those that come, since they may have to take
@@ -56,7 +61,7 @@ void DelaunayTree::begin() {
 
 void DelaunayTree::rebuild() {
   engine_->build({});
-  for (const auto& [edge, item] : lengths_.items()) lengths_.remove(item);
+  for (const auto& [edge, item] : lengths_.items()) forget(item);
   begin();
 }
 

@@ -22,13 +22,12 @@
 // Quality, for n points, of the engine beside delaunay_2:
 //
 //                          emst_list                        emst_cycles
-//   certificates           at most 3n - 7                   at most (2n - 5)(n - 1); 6n or 7n on
+//   certificates           at most 3n - 7                   at most (2n - 5)(n - 1); 7n or 8n on
 //                                                           1000 or 4000 random points
 //   a failure renews       3, mostly internal               1 that changes the tree; else 1, or a
 //                                                           cycle; on random points one in four
 //                                                           changes the tree
-//   a flip                 O(log n) comparisons             one triangle dropped, another proved,
-//                                                           and the cycles of the edge that is gone
+//   a flip                 O(log n) comparisons             one triangle dropped, another proved
 //   a degenerate instant,
 //   a point more or less   reads all edges; Kruskal, O(n)   reads all edges; what has changed
 //
@@ -97,6 +96,7 @@ class DelaunayTree final : public Structure {
 
   void add(const Edge& edge);
   void remove(const Edge& edge);
+  void forget(Item item);
   void assign();
   void follow(const std::optional<DelaunayEdgeChange>& change);
   void begin();

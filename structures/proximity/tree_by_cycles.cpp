@@ -131,7 +131,7 @@ void TreeByCycles::finish(Change change) {
 // Of level edges the one that goes first is in the tree.
 void TreeByCycles::settle_ties() {
   for (std::uint64_t steps = 0;; ++steps) {
-    if (!may_go_on(steps)) return;
+    if (!may_go_on(steps)) return records_.give_up();
     const auto place = records_.next_tie();
     if (!place) return;
     const Record record = records_[*place];
@@ -144,7 +144,7 @@ void TreeByCycles::settle_ties() {
 // While points come and go nothing may be left to fail.
 void TreeByCycles::settle_failures() {
   for (std::uint64_t steps = 0;; ++steps) {
-    if (!may_go_on(steps)) return;
+    if (!may_go_on(steps)) return records_.give_up();
     const auto place = records_.next_failing();
     if (!place) return;
     const Record record = records_[*place];

@@ -15,29 +15,38 @@ LinkCutForest& TreeByShortCycles::forest() {
   return forest_;
 }
 
-// `item` is in the tree and on the path between the ends of `outside`.
-bool TreeByShortCycles::is_on_path(Item item, Item outside) {
-  const auto [u, v] = edges_->ends(outside);
-  return forest().on_path(item, u, v);
-}
-
 // ---- the tree
 
 void TreeByShortCycles::put_in_late(Item item) {
   count_in(item);
   late_.note(item);
+  const auto [u, v] = edges_->ends(item);
+  tree_at_[u].push_back({v, item});
+  tree_at_[v].push_back({u, item});
 }
 
 void TreeByShortCycles::take_out_late(Item item) {
   count_out(item);
   late_.note(item);
+  for (const std::uint32_t end : edges_->ends(item)) {
+    std::vector<EdgeAt>& here = tree_at_[end];
+    *std::find_if(here.begin(), here.end(),
+                  [item](const EdgeAt& one) { return one.edge == item; }) = here.back();
+    here.pop_back();
+  }
 }
 
 // The cycle of `after` becomes that of another edge of it. O(1) certificates.
 void TreeByShortCycles::hand_over(Item after, Item before) {
   records_.exchange_cycles(after, before);
+  const bool all = records_.cycle(before).size() <= kRenewed;
   for (const Place place : records_.cycle(before)) {
-    if (records_[place].inside == before) return records_.change(place, after, before);
+    if (records_[place].inside == before) {
+      records_.change(place, after, before);
+      if (!all) return;
+    } else if (all && records_[place].outside == after) {
+      records_.change(place, records_[place].inside, before);
+    }
   }
 }
 
@@ -46,6 +55,17 @@ void TreeByShortCycles::swap(Item before, Item after) {
   take_out_late(before);
   put_in_late(after);
   hand_over(after, before);
+}
+
+// At now itself no pair of the cycle outside the tree, `before` aside, is as long as the owner.
+bool TreeByShortCycles::is_longest_now(Item owner, Item before) const {
+  if (!kernel_->tells_sign_now()) return false;
+  const std::span<const Place> cycle = records_.cycle(owner);
+  return std::none_of(cycle.begin(), cycle.end(), [&](Place place) {
+    const Item inside = records_[place].inside;
+    if (inside == before || in_tree(inside)) return false;
+    return kernel_->sign(edges_->claim(inside, owner), When::kNow) == Sign::kZero;
+  });
 }
 
 // The inside of a record is longer than its outside now. `is_alone`: no other claim fails at the
@@ -58,33 +78,43 @@ void TreeByShortCycles::repair(Place place, bool is_alone) {
       if (records_[other].inside == after) return records_.change(place, before, records_[other].outside);
     }
   }
-  if (in_tree(before) && (is_alone || is_on_path(before, after))) return swap(before, after);
+  if (in_tree(before) &&
+      ((is_alone && is_longest_now(after, before)) || is_on_path(before, after))) {
+    return swap(before, after);
+  }
   find_cycle_without(after, before, is_alone);
-  const bool is_better =
-      !in_tree(before) && records_.cycle(after).size() < records_.cycle(before).size();
+  const bool is_better = has(before) && !in_tree(before) &&
+                         records_.cycle(after).size() + 1 < records_.cycle(before).size();
   if (is_better) hand_over(after, before);
   prove(after, is_better ? kNoPlace : place);
 }
 
-// The shortest edge across the cut of a tree edge right after now; kNoItem: there is none. The edge is
-// in its cycle, unless records fail now: then all edges are looked at.
+// The shortest edge across the cut of a tree edge right after now, with that in its cycle; kNoItem:
+// there is none. O(m).
 Item TreeByShortCycles::replacement_of(Item item) {
-  Item best = kNoItem;
-  const auto offer = [&](Item outside) {
-    if (in_tree(outside) || !is_on_path(item, outside)) return;
-    if (best == kNoItem || is_shorter(outside, best)) best = outside;
-  };
-  for (const Place place : records_.uses(item)) offer(records_[place].owner);
-  if (best != kNoItem) return best;
-  const auto is_leaf = [&](std::uint32_t vertex) {
-    const auto here = adjacent_->at(vertex);
-    return std::none_of(here.begin(), here.end(),
-                        [&](const EdgeAt& one) { return one.edge != item && has(one.edge); });
-  };
   const auto [u, v] = edges_->ends(item);
-  if (is_leaf(u) || is_leaf(v)) return kNoItem;
-  for (const Item other : present()) offer(other);
-  if (best != kNoItem) {
+  reached_.resize(vertices_);
+  passed_.assign(1, u);
+  reached_[u].by = item;
+  for (std::size_t i = 0; i < passed_.size(); ++i) {
+    for (const EdgeAt& one : tree_at_[passed_[i]]) {
+      if (one.edge == item || reached_[one.vertex].by != kNoItem) continue;
+      reached_[one.vertex].by = one.edge;
+      passed_.push_back(one.vertex);
+    }
+  }
+  Item best = kNoItem;
+  for (const std::uint32_t vertex : passed_) {
+    for (const EdgeAt& one : adjacent_->at(vertex)) {
+      if (one.edge == item || !has(one.edge) || reached_[one.vertex].by != kNoItem) continue;
+      if (best == kNoItem || is_shorter(one.edge, best)) best = one.edge;
+    }
+  }
+  for (const std::uint32_t vertex : passed_) reached_[vertex] = {};
+  if (best == kNoItem) return best;
+  const auto cycle = records_.cycle(best);
+  if (std::none_of(cycle.begin(), cycle.end(),
+                   [&](Place place) { return records_[place].inside == item; })) {
     find_path(best);
     prove(best, kNoPlace);
   }
@@ -98,6 +128,7 @@ void TreeByShortCycles::build(std::vector<Item> items) {
   records_.clear();
   late_.clear();
   marks_.clear();
+  tree_at_.assign(vertices_, {});
   clear();
   merge_sort(items, [this](Item a, Item b) { return is_shorter(a, b); });
   for (const Item item : items) {
@@ -140,18 +171,12 @@ void TreeByShortCycles::remove(Item item) {
       swap(item, other);
     }
   }
-  const bool is_sure = kernel_->is_exact() && !kernel_->instant_is_shared(id_);
-  owners_.clear();
-  for (const Place place : records_.uses(item)) owners_.push_back(records_[place].owner);
-  for (const Item owner : owners_) {
-    find_cycle_without(owner, item, is_sure);
-    prove(owner, kNoPlace);
-  }
   records_.drop_cycle(item);
   leave(item);
 }
 
 void TreeByShortCycles::finish(Change change) {
+  if (change == Change::kSized) release_vertices();
   settle_ties();
   if (change == Change::kSized) settle_failures();
   records_.forget_failing();  // they fail next
@@ -162,7 +187,7 @@ void TreeByShortCycles::finish(Change change) {
 // Of level edges the one that goes first counts as the shorter.
 void TreeByShortCycles::settle_ties() {
   for (std::uint64_t steps = 0;; ++steps) {
-    if (!may_go_on(steps)) return;
+    if (!may_go_on(steps)) return records_.give_up();
     const auto place = records_.next_tie();
     if (!place) return;
     const Record record = records_[*place];
@@ -172,10 +197,29 @@ void TreeByShortCycles::settle_ties() {
   }
 }
 
+// The edges of points that have left the graph leave the proof.
+void TreeByShortCycles::release_vertices() {
+  const auto is_gone = [&](std::uint32_t vertex) {
+    const auto here = adjacent_->at(vertex);
+    return std::none_of(here.begin(), here.end(), [&](const EdgeAt& one) { return has(one.edge); });
+  };
+  for (Item item = 0; item < marks_.size(); ++item) {
+    if (has(item) || records_.uses(item).empty()) continue;
+    const auto [u, v] = edges_->ends(item);
+    if (!is_gone(u) && !is_gone(v)) continue;
+    owners_.clear();
+    for (const Place place : records_.uses(item)) owners_.push_back(records_[place].owner);
+    for (const Item owner : owners_) {
+      find_cycle_without(owner, item, false);
+      prove(owner, kNoPlace);
+    }
+  }
+}
+
 // While points come and go nothing may be left to fail.
 void TreeByShortCycles::settle_failures() {
   for (std::uint64_t steps = 0;; ++steps) {
-    if (!may_go_on(steps)) return;
+    if (!may_go_on(steps)) return records_.give_up();
     const auto place = records_.next_failing();
     if (!place) return;
     repair(*place, false);
@@ -248,8 +292,7 @@ void TreeByShortCycles::check(AuditReport& report) const {
     };
     for (const Place place : records_.cycle(item)) {
       const Record& record = records_[place];
-      report.check(has(record.inside) && record.inside != item &&
-                       longer.emplace(record.inside, record.outside).second,
+      report.check(record.inside != item && longer.emplace(record.inside, record.outside).second,
                    [] { return "a cycle of something else"; });
       count(record.inside);
     }
@@ -276,7 +319,8 @@ void TreeByShortCycles::check(AuditReport& report) const {
 std::size_t TreeByShortCycles::bytes() const {
   return base_bytes() + records_.bytes() + late_.bytes() + marks_.capacity() +
          (cycle_.capacity() + walk_.capacity() + owners_.capacity()) * sizeof(Item) +
-         reached_.capacity() * sizeof(Reached) + at_.capacity() * sizeof(EdgeAt) +
+         reached_.capacity() * sizeof(Reached) + crossings_.capacity() * sizeof(Crossing) +
+         waiting_.capacity() * sizeof(Waiting) +
          (passed_.capacity() + own_.capacity()) * sizeof(std::uint32_t);
 }
 

@@ -7,10 +7,11 @@
 
 namespace kinex {
 
-// The first triangle, by its third vertex, whose other edges are shorter right after now. Triangles
-// with `longer`, which is longer or leaves the graph, are passed over.
-bool TreeByShortCycles::find_triangle(Item outside, Item longer) {
-  const auto [u, v] = edges_->ends(outside);
+// Calls visit(x, y) for each vertex from which edges x and y of the graph lead to the ends of `edge`, by
+// vertex in ascending order, until it returns true.
+template <class Visit>
+bool TreeByShortCycles::any_triangle(Item edge, const Visit& visit) const {
+  const auto [u, v] = edges_->ends(edge);
   const std::span<const EdgeAt> at_u = adjacent_->at(u), at_v = adjacent_->at(v);
   for (auto a = at_u.begin(), b = at_v.begin(); a != at_u.end() && b != at_v.end();) {
     if (a->vertex < b->vertex) {
@@ -18,14 +19,32 @@ bool TreeByShortCycles::find_triangle(Item outside, Item longer) {
     } else if (b->vertex < a->vertex) {
       ++b;
     } else {
-      const Item x = a++->edge, y = b++->edge;
-      if (!has(x) || !has(y) || x == longer || y == longer) continue;
-      if (!is_shorter(x, outside) || !is_shorter(y, outside)) continue;
-      cycle_.assign({x, y});
-      return true;
+      const EdgeAt x = *a++, y = *b++;
+      if (has(x.edge) && has(y.edge) && visit(x.edge, y.edge)) return true;
     }
   }
   return false;
+}
+
+// The first triangle, by its third vertex, whose other edges are shorter right after now. Triangles
+// with `longer`, which is longer or leaves the graph, are passed over.
+bool TreeByShortCycles::find_triangle(Item outside, Item longer) {
+  return any_triangle(outside, [&](Item x, Item y) {
+    if (x == longer || y == longer || !is_shorter(x, outside) || !is_shorter(y, outside))
+      return false;
+    cycle_.assign({x, y});
+    return true;
+  });
+}
+
+// rest_ becomes two edges that join the ends of `gone` and are shorter than `outside` right after now.
+bool TreeByShortCycles::find_detour(Item outside, Item gone) {
+  return any_triangle(gone, [&](Item x, Item y) {
+    if (x == outside || y == outside || !is_shorter(x, outside) || !is_shorter(y, outside))
+      return false;
+    rest_.assign({x, y});
+    return true;
+  });
 }
 
 // The edge between two vertices, kNoItem if there is none.
@@ -36,34 +55,36 @@ Item TreeByShortCycles::edge_between(std::uint32_t u, std::uint32_t v) const {
   return kNoItem;
 }
 
-// While all other edges are shorter: a cycle of few edges, by a search from both ends until it meets
-// itself; the path in the tree if that is far.
-void TreeByShortCycles::find_short(Item outside) {
+// cycle_ becomes a path between the ends of `outside`, by a search from both in turn until it meets
+// itself; empty if there is none, or more than `most` vertices are nearer. `at(vertex)`: the edges there;
+// `leads(edge)`: it is in the graph that is searched.
+template <class At, class Leads>
+void TreeByShortCycles::search(Item outside, std::size_t most, const At& at, const Leads& leads) {
   const auto ends = edges_->ends(outside);
   reached_.resize(vertices_);
   passed_.assign(ends.begin(), ends.end());
   for (const std::uint32_t end : ends) reached_[end] = {outside, end};
   cycle_.clear();
-  for (std::size_t i = 0; i < passed_.size() && cycle_.empty() && passed_.size() < kFar; ++i) {
+  for (std::size_t i = 0; i < passed_.size() && cycle_.empty() && passed_.size() <= most; ++i) {
     const std::uint32_t from = passed_[i];
-    for (const EdgeAt& one : adjacent_->at(from)) {
+    const Reached here = reached_[from];
+    for (const EdgeAt& one : at(from)) {
+      if (one.edge == here.by || one.edge == outside || !leads(one.edge)) continue;
       Reached& to = reached_[one.vertex];
-      if (!has(one.edge) || one.edge == outside) continue;
       if (to.by == kNoItem) {
-        to = {one.edge, reached_[from].root};
+        to = {one.edge, here.root};
         passed_.push_back(one.vertex);
-      } else if (to.root != reached_[from].root) {
+      } else if (to.root != here.root) {
         cycle_.push_back(one.edge);
         for (const std::uint32_t end : {from, one.vertex}) walk_back(end, outside);
         break;
       }
     }
   }
-  for (const std::uint32_t at : passed_) reached_[at] = {};
-  if (cycle_.empty()) find_path(outside);
+  for (const std::uint32_t vertex : passed_) reached_[vertex] = {};
 }
 
-// Adds the edges by which find_short came to a vertex.
+// Adds the edges by which a search came to a vertex.
 void TreeByShortCycles::walk_back(std::uint32_t vertex, Item outside) {
   while (reached_[vertex].by != outside) {
     const Item edge = reached_[vertex].by;
@@ -73,21 +94,55 @@ void TreeByShortCycles::walk_back(std::uint32_t vertex, Item outside) {
   }
 }
 
-// The cycle of `outside` without `gone`, which is outside the tree, and with the other edges of its
-// cycle. False if that is long, or not all are shorter than `outside`. `is_sure`: they are.
+// While all other edges are shorter: a cycle of few edges; the path in the tree if there is none near.
+void TreeByShortCycles::find_short(Item outside) {
+  search(
+      outside, kNear, [this](std::uint32_t vertex) { return adjacent_->at(vertex); },
+      [this](Item edge) { return has(edge); });
+  if (cycle_.empty()) find_path(outside);
+}
+
+// cycle_ becomes the path in the tree between the ends of `outside`; empty if there is none. False: the
+// search went too far.
+bool TreeByShortCycles::search_tree(Item outside) {
+  search(
+      outside, kFar,
+      [this](std::uint32_t vertex) { return std::span<const EdgeAt>(tree_at_[vertex]); },
+      [](Item) { return true; });
+  return passed_.size() <= kFar;
+}
+
+// The same for ends that are connected, however far.
+void TreeByShortCycles::find_path(Item outside) {
+  if (search_tree(outside)) return;
+  const auto [u, v] = edges_->ends(outside);
+  cycle_ = forest().path(u, v);
+}
+
+// `item`, an edge of the tree, is on that path.
+bool TreeByShortCycles::is_on_path(Item item, Item outside) {
+  if (search_tree(outside)) return std::find(cycle_.begin(), cycle_.end(), item) != cycle_.end();
+  const auto [u, v] = edges_->ends(outside);
+  return forest().on_path(item, u, v);
+}
+
+// The cycle of `outside` with rest_, which joins the ends of `gone`, in place of that. False if it is long,
+// or not all edges are shorter than `outside`. `is_sure`: they are.
 bool TreeByShortCycles::join_cycles(Item outside, Item gone, bool is_sure) {
   cycle_.clear();
   bool fits = true;
-  for (const Item owner : {outside, gone}) {
-    for (const Place place : records_.cycle(owner)) {
-      const Item inside = records_[place].inside;
-      if (inside == gone) continue;
-      if (inside == outside) fits = false;
-      std::uint8_t& mark = marks_[inside];
-      if (mark == 0) cycle_.push_back(inside);
-      // An edge of both is in neither.
-      mark = mark == 1 ? 3 : owner == outside ? 1 : 2;
-    }
+  const auto add = [&](Item inside, std::uint8_t own) {
+    if (inside == outside) fits = false;
+    std::uint8_t& mark = marks_[inside];
+    if (mark == 0) cycle_.push_back(inside);
+    // An edge of both is in neither.
+    mark = mark == 1 ? 3 : own;
+  };
+  for (const Place place : records_.cycle(outside)) {
+    if (records_[place].inside != gone) add(records_[place].inside, 1);
+  }
+  for (const Item inside : rest_) {
+    if (inside != gone) add(inside, 2);
   }
   std::size_t left = 0;
   for (const Item item : cycle_) {
@@ -104,48 +159,51 @@ bool TreeByShortCycles::join_cycles(Item outside, Item gone, bool is_sure) {
   return true;
 }
 
-// An edge of cycle_ at a vertex that is marked: not passed yet.
-Item TreeByShortCycles::next_of_walk(std::uint32_t vertex) const {
-  if (cycle_.size() > kFew) {
-    auto place = std::lower_bound(at_.begin(), at_.end(), vertex,
-                                  [](const EdgeAt& one, std::uint32_t v) { return one.vertex < v; });
-    while (marks_[place->edge] == 0) ++place;
-    return place->edge;
-  }
-  return *std::find_if(cycle_.begin(), cycle_.end(), [&](Item item) {
-    const auto ends = edges_->ends(item);
-    return marks_[item] != 0 && (ends[0] == vertex || ends[1] == vertex);
-  });
+// An edge of cycle_ at a vertex: not passed yet.
+Item TreeByShortCycles::next_of_walk(std::uint32_t vertex) {
+  std::uint32_t& first = crossings_[vertex].first;
+  while (marks_[waiting_[first].edge] == 0) first = waiting_[first].next;
+  return waiting_[first].edge;
 }
 
 // Of edges that meet every vertex an even number of times, `outside` counted: those of one cycle, from
-// end to end. The walk from one end to the other drops its loops. passed_: its vertices.
+// end to end. The walk from one end to the other drops its loops. passed_: its vertices. Time O(size).
 void TreeByShortCycles::make_simple(Item outside) {
   const auto [u, v] = edges_->ends(outside);
   walk_.clear();
   passed_.assign(1, u);
-  if (cycle_.size() > kFew) {
-    at_.clear();
-    for (const Item item : cycle_) {
-      for (const std::uint32_t end : edges_->ends(item)) at_.push_back({end, item});
+  if (crossings_.size() < vertices_) crossings_.resize(vertices_);
+  waiting_.clear();
+  for (auto item = cycle_.rbegin(); item != cycle_.rend(); ++item) {
+    for (const std::uint32_t end : edges_->ends(*item)) {
+      waiting_.push_back({*item, crossings_[end].first});
+      crossings_[end].first = static_cast<std::uint32_t>(waiting_.size() - 1);
     }
-    std::sort(at_.begin(), at_.end(), [](const EdgeAt& one, const EdgeAt& other) {
-      return one.vertex != other.vertex ? one.vertex < other.vertex : one.edge < other.edge;
-    });
+    marks_[*item] = 1;
   }
-  for (const Item item : cycle_) marks_[item] = 1;
+  crossings_[u].passed = 0;
   while (passed_.back() != v) {
     const std::uint32_t at = passed_.back();
     const Item next = next_of_walk(at);
     marks_[next] = 0;
     const auto ends = edges_->ends(next);
     const std::uint32_t to = ends[0] == at ? ends[1] : ends[0];
-    walk_.push_back(next);
-    passed_.erase(std::find(passed_.begin(), passed_.end(), to), passed_.end());
-    passed_.push_back(to);
-    walk_.resize(passed_.size() - 1);
+    if (crossings_[to].passed == kNoPlace) {
+      crossings_[to].passed = static_cast<std::uint32_t>(passed_.size());
+      passed_.push_back(to);
+      walk_.push_back(next);
+    } else {
+      while (passed_.back() != to) {
+        crossings_[passed_.back()].passed = kNoPlace;
+        passed_.pop_back();
+      }
+      walk_.resize(passed_.size() - 1);
+    }
   }
-  for (const Item item : cycle_) marks_[item] = 0;
+  for (const Item item : cycle_) {
+    marks_[item] = 0;
+    for (const std::uint32_t end : edges_->ends(item)) crossings_[end] = {};
+  }
   cycle_.swap(walk_);
 }
 
@@ -167,12 +225,6 @@ void TreeByShortCycles::make_shorter(Item outside, Item gone) {
     passed_[size] = to;
   }
   cycle_.resize(size);
-}
-
-void TreeByShortCycles::find_path(Item outside) {
-  const auto [u, v] = edges_->ends(outside);
-  cycle_ = forest().path(u, v);
-  std::sort(cycle_.begin(), cycle_.end());
 }
 
 // cycle_ becomes the cycle of `outside`. Its records stay, but for `stale`, where the edges of both
@@ -223,7 +275,13 @@ void TreeByShortCycles::prove(Item outside, Place stale) {
 // Makes cycle_ a cycle of an edge in whose cycle `gone` is longer than it is, or leaves the graph.
 void TreeByShortCycles::find_cycle_without(Item outside, Item gone, bool is_sure) {
   if (find_triangle(outside, gone)) return;
-  if (in_tree(gone) || !join_cycles(outside, gone, is_sure)) find_path(outside);
+  if (has(gone) && !in_tree(gone)) {
+    rest_.clear();
+    for (const Place place : records_.cycle(gone)) rest_.push_back(records_[place].inside);
+    if (join_cycles(outside, gone, is_sure)) return;
+  }
+  if (!in_tree(gone) && find_detour(outside, gone) && join_cycles(outside, gone, is_sure)) return;
+  find_path(outside);
 }
 
 }  // namespace kinex

@@ -36,10 +36,12 @@ struct EdgeAt {
   Item edge;
 };
 
-// Edges that are known by vertex, at most one between two vertices.
+// Edges between points, which are the vertices, by Euclidean length; known by vertex, at most one
+// between two vertices.
 class AdjacentEdges : public TreeEdges {
  public:
-  // The edges at a vertex, ascending by their other ends. Valid until an edge comes or goes.
+  // The edges at a vertex, ascending by their other ends, and those that have left the graph and are
+  // still used (TreeEngine::uses). Valid until an edge comes or goes.
   virtual std::span<const EdgeAt> at(std::uint32_t vertex) const = 0;
 };
 

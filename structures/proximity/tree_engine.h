@@ -53,6 +53,8 @@ class TreeEngine {
   virtual void add(Item item) = 0;
   virtual void remove(Item item) = 0;
   virtual void finish(Change change) = 0;
+  // An edge that has been removed is still in the proof: its number is still valid.
+  virtual bool uses(Item) const { return false; }
   // A live certificate is one of this engine.
   virtual bool owns(CertificateId certificate) const = 0;
   virtual void certificate_failed(CertificateId failed) = 0;

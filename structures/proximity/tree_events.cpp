@@ -71,17 +71,19 @@ void TreeEvents::repaired(const EdgeIds& before, const EdgeIds& after) {
 
 // False, with nothing reported, if nothing has changed.
 bool TreeEvents::tell() {
-  const AttributeDifference change = net();
-  if (change.gone.size() != change.came.size()) {
+  if (changes_.empty()) return false;
+  gone_.clear();
+  came_.clear();
+  for (const auto& [edge, times] : changes_) (times > 0 ? came_ : gone_).push_back(edge);
+  if (gone_.size() != came_.size()) {
+    const AttributeDifference change = net();
     changes_.clear();
     kernel_->report_settled(id_, change.gone, change.came);
     return true;
   }
-  std::vector<EdgeIds> gone, came;
-  for (const auto& [edge, times] : changes_) (times > 0 ? came : gone).push_back(edge);
   changes_.clear();
-  for (std::size_t i = 0; i < gone.size(); ++i) report(kTreeSwap, gone[i], came[i], true);
-  return !gone.empty();
+  for (std::size_t i = 0; i < gone_.size(); ++i) report(kTreeSwap, gone_[i], came_[i], true);
+  return true;
 }
 
 }  // namespace kinex

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "core/engine/kernel.h"
 #include "core/engine/structure.h"
@@ -57,7 +58,10 @@ class TreeEvents {
   void over() { tell(); }
   // The tree before the changes that have not been reported.
   Attribute told(Attribute now) const;
-  std::size_t bytes() const { return changes_.size() * (sizeof(EdgeIds) + 48); }
+  std::size_t bytes() const {
+    return changes_.size() * (sizeof(EdgeIds) + 48) +
+           (gone_.capacity() + came_.capacity()) * sizeof(EdgeIds);
+  }
 
  private:
   void count(const EdgeIds& edge, int change);
@@ -68,6 +72,7 @@ class TreeEvents {
   StructureId id_;
   std::optional<StructureId> reads_;
   std::map<EdgeIds, int> changes_;  // how often it came, less how often it is gone; not 0
+  std::vector<EdgeIds> gone_, came_;  // of tell()
 };
 
 }  // namespace kinex

@@ -67,11 +67,12 @@ TEST(ShortCycles, ATriangleGivesWayToALongerCycle) {
 }
 
 // The same, with a point 3 that moves through the circle of the others before: 02 gives way to 13, and
-// 01 loses an edge of its cycle.
+// stays in the cycle of 01 until it is longer.
 TEST(ShortCycles, AnEdgeOfACycleLeavesTheGraph) {
   const Pair run(two_triangles(path({{58, -20}, {40}})));
   EXPECT_EQ(run.simulator.ledger(0).external, 1u);
   EXPECT_EQ(run.cycles().external, 0u);
+  EXPECT_EQ(run.cycles().failures, 1u);
   EXPECT_EQ(run.attribute(1), (Ids{0, 3, 1, 2, 2, 3}));
 }
 
@@ -103,6 +104,15 @@ TEST(ShortCycles, TwoEdgesInEachOthersCycles) {
     const Pair run(lattice_scene(seed, n, 2));
     EXPECT_GT(run.cycles().internal, 0u);
   }
+}
+
+// A pair that has left the graph is as long as the two edges of a failure at that instant, and shorter than
+// they are before and after it, so none of its certificates fails; but the failing edge of the tree was on
+// its path, and not on that of the owner.
+TEST(ShortCycles, APairThatHasLeftIsLevelForAnInstant) {
+  const Pair run(lattice_scene(385, 5, 2));
+  EXPECT_EQ(run.cycles().external, 4u);
+  EXPECT_EQ(run.cycles().rebuilds, 0u);
 }
 
 TEST(SlowShortCycles, TinyLattices) { on_lattices(1500); }
