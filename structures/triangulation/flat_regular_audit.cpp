@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "structures/triangulation/audit_text.h"
 #include "structures/triangulation/flat_regular.h"
 #include "structures/triangulation/in_plane_audit.h"
 
@@ -61,52 +60,18 @@ void FlatRegular::audit(const Snapshot& snapshot, AuditReport& report) const {
   report.check(witness.dimension() < 3, [] { return std::string("not in one plane"); });
   if (witness.dimension() != 2) return;
   const WitnessPlane plane = plane_of(witness);
-  const AxisPair& on_axes = plane.axes;
-  Number filled = 0;
-  // Points may touch and turn back without any event: at such an instant triangles may be flat.
-  bool flat = false, ties = false;
-  CGAL::Sign side = CGAL::ZERO;  // of the plane, from which triangles are counter-clockwise
-  const bool all_points = ids.size() <= 24;
-  for (Cell t = 0; t < store_.triangle_capacity(); ++t) {
-    if (!store_.live(t) || store_.ghost(t)) continue;
-    const Corners c = store_.corners(t);
-    const Number twice = area(on_axes, points[c[0]], points[c[1]], points[c[2]]);
-    const CGAL::Sign turn = CGAL::sign(twice);
-    filled += CGAL::abs(twice);
-    flat = flat || turn == CGAL::ZERO;
-    if (turn == CGAL::ZERO) continue;
-    report.check(side == CGAL::ZERO || side == turn, [&] {
-      return named("a triangle of the plane is turned over:", {c[0], c[1], c[2]});
-    });
-    side = turn;
-    const auto look_at = [&](ObjectId v) {
-      if (v == c[0] || v == c[1] || v == c[2]) return;
-      const CGAL::Sign height = CGAL::sign(height_over(on_axes, points, lifts, c, v));
-      report.check(height != CGAL::NEGATIVE, [&] {
-        return named("below the plane: points", {c[0], c[1], c[2], v});
-      });
-      if (height != CGAL::ZERO) return;
-      ties = true;
-      // A tie of this time only may be decided either way.
-      if (kernel_->sign_after(geometry_.power_claim(c, v)) != Sign::kZero) return;
-      report.check(!below_by_ties(on_axes, points, c, v), [&] {
-        return named("in the lifted plane, and below by its id: points", {c[0], c[1], c[2], v});
-      });
-    };
-    if (all_points) {
-      for (const ObjectId v : ids) look_at(v);
-    } else {
-      for (Facet h = 3 * t; h < 3 * t + 3; ++h) {
-        const ObjectId v = store_.apex(store_.twin(h));
-        if (v != store_.infinity()) look_at(v);
-      }
-    }
-  }
-  if (flat) return;
-  report.check(filled == plane.whole,
-               [] { return std::string("the triangles do not fill the hull"); });
+  const std::optional<bool> ties = check_triangles(
+      store_, ids, points, plane,
+      [&](const Corners& c, ObjectId v) {
+        return CGAL::sign(height_over(plane.axes, points, lifts, c, v));
+      },
+      [this](const Corners& c, ObjectId v) {
+        return kernel_->sign_after(geometry_.power_claim(c, v)) == Sign::kZero;
+      },
+      {"below the plane: points", "in the lifted plane, and below by its id: points"}, report);
+  if (!ties) return;
   // Of points in one lifted plane the witness may have other edges.
-  report.check(ties || edges() == edges_of(witness),
+  report.check(*ties || edges() == edges_of(witness),
                [] { return std::string("the edges of the plane differ from the witness"); });
 }
 

@@ -101,53 +101,26 @@ void FlatTriangulation::audit(const Snapshot& snapshot, AuditReport& report) con
   // Points may touch and turn back without any event: at such an instant triangles may be flat.
   if (witness.dimension() != 2 || witness.number_of_vertices() != input.size()) return;
   const WitnessPlane plane = plane_of(witness);
-  const AxisPair& on_axes = plane.axes;
-  const std::vector<std::array<ObjectId, 2>> theirs = edges_of(witness);
-  Number filled = 0;
-  bool flat = false, ties = false;
-  CGAL::Sign side = CGAL::ZERO;  // of the plane, from which triangles are counter-clockwise
-  const bool all_points = vertices_.size() <= 24;
-  for (Cell t = 0; t < store_.triangle_capacity(); ++t) {
-    if (!store_.live(t) || store_.ghost(t)) continue;
-    const Corners c = store_.corners(t);
-    const Point &p = points[c[0]], &q = points[c[1]], &r = points[c[2]];
-    const Number twice = area(on_axes, p, q, r);
-    const CGAL::Sign turn = CGAL::sign(twice);
-    filled += CGAL::abs(twice);
-    flat = flat || turn == CGAL::ZERO;
-    if (turn == CGAL::ZERO) continue;
-    report.check(side == CGAL::ZERO || side == turn, [&] {
-      return named("a triangle of the plane is turned over:", {c[0], c[1], c[2]});
-    });
-    side = turn;
-    const auto look_at = [&](ObjectId v) {
-      if (v == c[0] || v == c[1] || v == c[2]) return;
-      const auto place = CGAL::coplanar_side_of_bounded_circle(p, q, r, points[v]);
-      report.check(place != CGAL::ON_BOUNDED_SIDE, [&] {
-        return named("inside the circle: points", {c[0], c[1], c[2], v});
-      });
-      if (place != CGAL::ON_BOUNDARY) return;
-      ties = true;
-      // A tie of this time only may be decided either way.
-      if (kernel_->sign_after(geometry_.power_claim(c, v)) != Sign::kZero) return;
-      report.check(!below_by_ties(on_axes, points, c, v), [&] {
-        return named("on the circle, and inside by its id: points", {c[0], c[1], c[2], v});
-      });
-    };
-    if (all_points) {
-      for (const ObjectId v : vertices_) look_at(v);
-    } else {
-      for (Facet h = 3 * t; h < 3 * t + 3; ++h) {
-        const ObjectId v = store_.apex(store_.twin(h));
-        if (v != store_.infinity()) look_at(v);
-      }
-    }
-  }
-  if (flat) return;
-  report.check(filled == plane.whole,
-               [] { return std::string("the triangles do not fill the hull"); });
+  const std::optional<bool> ties = check_triangles(
+      store_, vertices_, points, plane,
+      [&](const Corners& c, ObjectId v) {
+        switch (CGAL::coplanar_side_of_bounded_circle(points[c[0]], points[c[1]], points[c[2]],
+                                                      points[v])) {
+          case CGAL::ON_BOUNDED_SIDE:
+            return CGAL::NEGATIVE;
+          case CGAL::ON_BOUNDARY:
+            return CGAL::ZERO;
+          default:
+            return CGAL::POSITIVE;
+        }
+      },
+      [this](const Corners& c, ObjectId v) {
+        return kernel_->sign_after(geometry_.power_claim(c, v)) == Sign::kZero;
+      },
+      {"inside the circle: points", "on the circle, and inside by its id: points"}, report);
+  if (!ties) return;
   // Of points on one circle the witness may have other edges.
-  report.check(ties || edges() == theirs,
+  report.check(*ties || edges() == edges_of(witness),
                [] { return std::string("the edges of the plane differ from the witness"); });
 }
 

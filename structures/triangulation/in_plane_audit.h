@@ -9,9 +9,12 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "structures/triangulation/audit_text.h"
 #include "structures/triangulation/in_plane.h"
 
 namespace kinex::in_plane_audit {
@@ -95,6 +98,68 @@ WitnessPlane plane_of(const Witness& witness) {
     plane.whole += CGAL::abs(area(plane.axes, corner(f, 0), corner(f, 1), corner(f, 2)));
   }
   return plane;
+}
+
+// The messages about a point below a triangle (inside its circle), and of one level with it that is below by its
+// id.
+struct BelowMessages {
+  const char* below;
+  const char* below_by_ties;
+};
+
+// Checks the triangles of `store`: all are turned to one side, they fill the hull, and no other point is below
+// them: none of `ids` in small scenes, and no apex beyond an edge in others. `height_over(corners, id)`: the sign
+// of the height of a point over a triangle; `is_tie(corners, id)`: it is level with it for a while. Returns
+// whether some point was level; nullopt, with no more checked, if triangles are flat: points may touch and turn
+// back without any event.
+template <class Ids, class Height, class Tie>
+std::optional<bool> check_triangles(const Triangulation2& store, const Ids& ids,
+                                    const std::vector<Point>& points, const WitnessPlane& plane,
+                                    const Height& height_over, const Tie& is_tie,
+                                    const BelowMessages& messages, AuditReport& report) {
+  Number filled = 0;
+  bool is_flat = false, is_level = false;
+  CGAL::Sign side = CGAL::ZERO;  // of the plane, from which triangles are counter-clockwise
+  const bool all_points = ids.size() <= 24;
+  for (Triangulation2::Triangle t = 0; t < store.triangle_capacity(); ++t) {
+    if (!store.live(t) || store.ghost(t)) continue;
+    const Corners c = store.corners(t);
+    const Number twice = area(plane.axes, points[c[0]], points[c[1]], points[c[2]]);
+    const CGAL::Sign turn = CGAL::sign(twice);
+    filled += CGAL::abs(twice);
+    is_flat = is_flat || turn == CGAL::ZERO;
+    if (turn == CGAL::ZERO) continue;
+    report.check(side == CGAL::ZERO || side == turn, [&] {
+      return named("a triangle of the plane is turned over:", {c[0], c[1], c[2]});
+    });
+    side = turn;
+    const auto look_at = [&](ObjectId v) {
+      if (v == c[0] || v == c[1] || v == c[2]) return;
+      const CGAL::Sign height = height_over(c, v);
+      report.check(height != CGAL::NEGATIVE, [&] {
+        return named(messages.below, {c[0], c[1], c[2], v});
+      });
+      if (height != CGAL::ZERO) return;
+      is_level = true;
+      // A tie of this time only may be decided either way.
+      if (!is_tie(c, v)) return;
+      report.check(!below_by_ties(plane.axes, points, c, v), [&] {
+        return named(messages.below_by_ties, {c[0], c[1], c[2], v});
+      });
+    };
+    if (all_points) {
+      for (const ObjectId v : ids) look_at(v);
+    } else {
+      for (Triangulation2::HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+        const ObjectId v = store.apex(store.twin(h));
+        if (v != store.infinity()) look_at(v);
+      }
+    }
+  }
+  if (is_flat) return std::nullopt;
+  report.check(filled == plane.whole,
+               [] { return std::string("the triangles do not fill the hull"); });
+  return is_level;
 }
 
 }  // namespace kinex::in_plane_audit
