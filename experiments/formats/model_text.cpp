@@ -135,9 +135,11 @@ std::string described_lines(const Scene& scene) {
 
 }  // namespace
 
+std::string shown_name(const Scene& scene) { return scene.name.empty() ? "(no name)" : scene.name; }
+
 std::string describe_model(const Scene& scene, const std::string& hash) {
   const PlanCounts counts = count_plans(scene);
-  std::string text = "scene     " + (scene.name.empty() ? "(no name)" : scene.name) + "\n";
+  std::string text = "scene     " + shown_name(scene) + "\n";
   text += "hash      " + hash + "\n";
   text += "time      " + short_number(scene.start) +
           (scene.end ? " to " + short_number(*scene.end) : " until no event is left") + "\n";

@@ -113,6 +113,8 @@ Lines readings_in_words(const StructureInfo& info) {
   for (const Reading& reading : info.reads) {
     std::string line(reading.structure);
     if (reading.axis) line += std::string(" by ") + "xyz"[*reading.axis];
+    const std::string in_space = usual_structure(reading, 3);
+    if (info.any_dimension && in_space != reading.structure) line += ", in space " + in_space;
     if (!reading.role.empty()) {
       line += ", or another " + std::string(reading.role) + " that \"over\" names:";
       for (const StructureInfo& other : structure_infos()) {

@@ -18,5 +18,5 @@ USUALLY_READ = ("convex_hull_2", "octants_local", "cones_local")
 
 # Structures about one object, "query", which need not be in "of".
 OF_QUERY = ("nearest_site",)
-OF_LINES = ("line_arrangement_2",)  # of the lines alone, whatever points there are
+OF_LINES = ("line_arrangement_2", "trapezoids_2")  # of the lines alone, whatever points there are
 TWO_COLOURS = ("bichromatic_pair_delaunay", "bichromatic_pair_all", "bichromatic_pair_maximum_norm")

@@ -31,3 +31,23 @@ class OfMembers(Replay):
     def after_motion(self, objects, x):
         super().after_motion(objects, x)
         self.look = True
+
+
+class ByTurnedOrders(OfMembers):
+    """Replays whose certificates compare two points along directions; of points that are level along one for a while a
+    second direction decides. Subclasses have directions(): the predicates."""
+
+    moved_at = None  # the last instant with a new flight plan
+
+    def after_motion(self, objects, x):
+        super().after_motion(objects, x)
+        self.moved_at = x
+
+    def is_level_by_motion(self, ids, x):
+        """A new flight plan at x has made two points level along a direction for a while: the claim along the second
+        direction is made then, and may be negative before."""
+        return self.moved_at is x and len(ids) == 2 and any(
+            self.world.is_zero((direction, ids)) for direction in self.directions())
+
+    def doubt(self, r, x, what):
+        self.require(self.is_level_by_motion(self.checker.query(r)[1], x), what.replace("%", "%%"))

@@ -7,9 +7,10 @@ identically equal are compared after an infinitesimal turn, then as if the point
 from functools import cmp_to_key
 from itertools import combinations
 
-from octants import DIFFERENCE, SUM, X, Y, precedes_by
-from polygons import cones, counted, opposite, precedes_along, turned, units
+from octants import AXES, DIFFERENCE, SUM, X, Y, precedes_by
+from polygons import all_vectors, cones, counted, opposite, precedes_along, turned, units
 from replay_directions import Along, extent_query
+from replay_members import ByTurnedOrders
 from replay_octants import corners_of
 from replay_scratch import ClosestPairOfOrders, TwoColours
 from replay_trees import SpanningTree
@@ -19,11 +20,14 @@ AXIS = {X: (1, 0), Y: (0, 1)}
 ALL = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
 
-class MaximumNorm:
+class MaximumNorm(ByTurnedOrders):
     """Lengths of pairs of members."""
 
     def vectors(self):
         return ALL
+
+    def directions(self):
+        return AXES
 
     def meanings(self, name, ids):
         if name in ("order_x", "order_y"):
@@ -77,6 +81,35 @@ class MaximumNorm:
 
         return first
 
+    def is_turned(self, r, x):
+        """The claim compares the turned lengths of its two pairs, which are identically equal."""
+        if len(r.ids) != 4:
+            return False
+        said = {self.world.polynomial(*q) for q in self.meanings(*self.query(r)) if self.world.sign_after(q, x) < 0}
+        return any((query is None or self.world.is_zero(query)) and self.world.polynomial(*turn) in said
+                   for query, turn in self.lengths_and_turns(tuple(r.ids[:2]), tuple(r.ids[2:]), x))
+
+    def doubt(self, r, x, what):
+        """New flight plans make two points level, or two lengths equal: what decides then may be negative since long."""
+        self.require(self.is_level_by_motion(self.query(r)[1], x) or self.moved_at is x and self.is_turned(r, x), what)
+
+    def lengths_and_turns(self, old, fresh, x):
+        """Of all two lengths that the edges may have right before x or right after it, how much longer the second one
+        is, and the same after the turn, if that is not zero by itself."""
+        for u, a, b in self.forms_at(old, x):
+            for v, c, d in self.forms_at(fresh, x):
+                turn = extent_query(turned(v), turned(u), d, c, b, a)
+                if turn is not None:
+                    yield extent_query(v, u, d, c, b, a), turn
+
+    def forms_at(self, pair, x):
+        """As form(): the one right after x, and those of which the length is the same at x."""
+        u, a, b = self.form(pair, self.precedes(x))
+        for v in self.vectors():
+            query = extent_query(u, v, b, a, b, a)
+            if query is None or self.world.vanishes(query, x):
+                yield v, a, b
+
 
 class MaximumNormTree(MaximumNorm, SpanningTree):
     def in_order(self, x):
@@ -104,27 +137,9 @@ class MaximumNormTree(MaximumNorm, SpanningTree):
         """Of two lengths that are identically equal the turned ones are compared, which may be negative since long.
         That is a failure only of an edge that has taken the place of another one at this instant, or has lost its own."""
         old, fresh = tuple(r.ids[:2]), tuple(r.ids[2:])
-        said = {self.world.polynomial(*q) for q in self.meanings(*self.query(r)) if self.world.sign_after(q, x) < 0}
-        self.require((old in self.moved or fresh in self.moved) and any(
-            (query is None or self.world.is_zero(query)) and self.world.polynomial(*turn) in said
-            for query, turn in self.lengths_and_turns(old, fresh, x)), what)
-
-    def lengths_and_turns(self, old, fresh, x):
-        """Of all two lengths that the edges may have right before x or right after it, how much longer the second one
-        is, and the same after the turn, if that is not zero by itself."""
-        for u, a, b in self.forms_at(old, x):
-            for v, c, d in self.forms_at(fresh, x):
-                turn = extent_query(turned(v), turned(u), d, c, b, a)
-                if turn is not None:
-                    yield extent_query(v, u, d, c, b, a), turn
-
-    def forms_at(self, pair, x):
-        """As form(): the one right after x, and those of which the length is the same at x."""
-        u, a, b = self.form(pair, self.precedes(x))
-        for v in self.vectors():
-            query = extent_query(u, v, b, a, b, a)
-            if query is None or self.world.vanishes(query, x):
-                yield v, a, b
+        if (old in self.moved or fresh in self.moved) and self.is_turned(r, x):
+            return
+        super().doubt(r, x, what)
 
     def names_both(self, r):
         """Of two lengths along one axis with an end in common only the other ends are named."""
@@ -168,6 +183,9 @@ class NearestInMaximumNorm(MaximumNorm, TwoColours):
 class PolygonTree(MaximumNormTree):
     def vectors(self):
         return signed_units(corners_of(self.structure))
+
+    def directions(self):
+        return [("order_direction", u) for u in all_vectors(corners_of(self.structure))]
 
     def precedes(self, x):
         return precedes_along(lambda u, a, b: self.world.sign_after((("order_direction", u), (a, b)), x))

@@ -9,7 +9,7 @@ from octants import AXES, OCTANTS, pairs_of_pointers, pointers_of, precedes_by
 from parameters import value_of
 from polygons import all_vectors, cones, counted, precedes_along
 from proof import Proof
-from replay_members import OfMembers
+from replay_members import ByTurnedOrders
 
 
 def corners_of(structure):
@@ -21,7 +21,7 @@ def corners_of(structure):
     return int(value_of("cones_local", options, "corners", lambda x: Fraction(str(x))))
 
 
-class Octants(OfMembers):
+class Octants(ByTurnedOrders):
     bound = []
 
     def __init__(self, checker, structure):
@@ -29,6 +29,9 @@ class Octants(OfMembers):
         self.pointers, self.pairs, self.missing = {}, [], None
         self.proofs = [Proof(self.world, self.label, checker.on[4])]  # without claims
         checker.note_partly(self.label, "internal events: lists and certificates are not followed")
+
+    def directions(self):
+        return AXES
 
     def meanings(self, name, ids):
         if name == "order_direction":
@@ -128,9 +131,12 @@ class Octants(OfMembers):
 class Cones(Octants):
     """cones_local: the cones of a polygon."""
 
+    def directions(self):
+        return [("order_direction", u) for u in all_vectors(corners_of(self.structure))]
+
     def meanings(self, name, ids):
         if name == "order_direction":
-            return [((name, u), ids) for u in all_vectors(corners_of(self.structure))]
+            return [(direction, ids) for direction in self.directions()]
         return [(name, ids)]
 
     def current(self, x):

@@ -12,7 +12,7 @@ from itertools import combinations
 
 from predicates import axis_order, distance_query
 from proof import Proof
-from replay_members import OfMembers
+from replay_members import ByTurnedOrders, OfMembers
 from subsets import classes_of, query_of
 
 
@@ -152,10 +152,13 @@ class ClosestPair(Scratch):
             self.require(set(self.query(r)[1]) == set(r.ids), "%s is not a failure of the two pairs", r.short())
 
 
-class ClosestPairOfOrders(ClosestPair):
+class ClosestPairOfOrders(ClosestPair, ByTurnedOrders):
     """The same, with the exchanges of two neighbours along x, y, x + y or x - y."""
 
     DIRECTIONS = ((1, 1), (1, -1))
+
+    def directions(self):
+        return ["order_x", "order_y"] + [("order_direction", u) for u in self.DIRECTIONS]
 
     def meanings(self, name, ids):
         if name == "order_direction":

@@ -17,6 +17,7 @@ class SpanningTree(Scratch):
 
     claim = staticmethod(distance_query)
     width = 2  # of edges, as tuples of objects
+    partly = "internal events: which certificates there are is not followed"
 
     def edges(self):
         return combinations(sorted(self.members), 2)

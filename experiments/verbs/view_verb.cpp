@@ -13,6 +13,7 @@
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/log_reader.h"
+#include "experiments/formats/model_text.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
 #include "experiments/lab/progress.h"
@@ -213,7 +214,7 @@ std::string line_of(const view::RecordedRun& run) {
 
 std::string report(const Viewed& viewed, const std::vector<view::RecordedRun>& runs,
                    const std::string& file, std::size_t bytes) {
-  std::string text = "scene     " + viewed.scene.name + ", " +
+  std::string text = "scene     " + formats::shown_name(viewed.scene) + ", " +
                      formats::counted(viewed.scene.objects.size(), "object", "objects") + "\n";
   for (const view::RecordedRun& run : runs) text += line_of(run);
   if (runs.size() > 1) {
@@ -256,8 +257,8 @@ void view(const ViewOptions& options, const Voice& voice, int& exit_code) {
       return;
     }
   }
-  const std::string page =
-      view::view_page("kinex view: " + viewed.scene.name, view::page_data(viewed.scene, viewed.hash, runs));
+  const std::string page = view::view_page("kinex view: " + formats::shown_name(viewed.scene),
+                                           view::page_data(viewed.scene, viewed.hash, runs));
   if (!output) {
     print(page);
   } else {

@@ -19,7 +19,8 @@ import logs
 ONCE_WRONG = [("line_arrangement_2", "grid", 8, 4), ("mst_maximum_norm_cycles", "grid", 5, 58),
               ("emst_clusters", "meet", 5, 60), ("convex_hull_2_brute_force", "grid", 5, 22),
               ("convex_hull_2_delaunay", "meet", 8, 23), ("convex_hull_2", "collinear-instant", 8, 23)]
-SCENES = {"line_arrangement_2": ["parallel_lines.json"], "trapezoids_2": ["parallel_walls.json"],
+SCENES = {"line_arrangement_2": ["parallel_lines.json"], "trapezoids_2": ["parallel_walls.json", "points_beside_lines.json"],
+          "octants_listed": ["level_below.json", "level_aslant.json"],
           "regular_3": ["weights_in_a_plane.json"], "delaunay_3": ["point_lands.json"],
           "closest_pair_discs": ["balls_on_a_wall.json", "ball_lands.json"]}
 

@@ -57,6 +57,15 @@ TEST_F(ViewVerb, MakesAPageOfASceneAndOfALog) {
   EXPECT_EQ(of_log.out, page);
 }
 
+TEST_F(ViewVerb, ASceneWithoutAName) {
+  write_file(scene_, R"({"kinex": 1, "dimension": 2, "time": {"start": 0, "end": 1}, "objects": [],
+                         "maintain": ["delaunay_2"]})");
+  const Finished finished = run_kinex({"view", scene_, "-o", page_});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.out, HasSubstr("scene     (no name), 0 objects\n"));
+  EXPECT_THAT(read_file(page_), HasSubstr("<title>kinex view: (no name)</title>"));
+}
+
 TEST_F(ViewVerb, LaysASecondRunOverIt) {
   const std::string other = scratch_.file("double.jsonl");
   run_kinex({"run", scene_, "--arithmetic", "double", "--events", other});
