@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/arithmetic/coordinate_difference.h"
+#include "core/arithmetic/search_outlook.h"
 #include "core/numbers/first_root.h"
 #include "core/numbers/interval_sign.h"
 
@@ -402,21 +403,8 @@ std::optional<Outlook> ExactArithmetic::first_failure(const Query& query, const 
   const double end = horizon(query);
   // The end may be slightly too late, never too early.
   const double until = filter::next_up(std::min(end, limit) - origin);
-  switch (filter::first_sign_change<true>(c, m, degree, origin, from, until, enclosure)) {
-    case filter::Search::kNone:
-      if (limit < end) {
-        time = {limit, limit, 0};
-        return Outlook::kLater;
-      }
-      time = {kInfinity, kInfinity, 0};
-      return Outlook::kNever;
-    case filter::Search::kFound:
-      time = {enclosure.lo, enclosure.hi, 0};
-      return Outlook::kFails;
-    case filter::Search::kUnknown:
-      break;
-  }
-  return std::nullopt;
+  return outlook_of(filter::first_sign_change<true>(c, m, degree, origin, from, until, enclosure),
+                    enclosure, limit, end, time);
 }
 
 }  // namespace kinex

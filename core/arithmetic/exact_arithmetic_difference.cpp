@@ -15,6 +15,7 @@
 #include <limits>
 
 #include "core/arithmetic/exact_arithmetic.h"
+#include "core/arithmetic/search_outlook.h"
 #include "core/numbers/ball.h"
 #include "core/numbers/first_root.h"
 
@@ -108,23 +109,10 @@ std::optional<Outlook> ExactArithmetic::difference_failure_of(const Query& query
     const double moved = slope * (now_.hi - now_.lo) * (1 + 0x1p-20);
     if (!(error >= 0 && bernstein[0] > error + moved)) return std::nullopt;
   }
-  bool clear = error >= 0;
-  for (int i = 1; i <= D; ++i) clear = clear && bernstein[i] > error;
-  Outlook outlook = Outlook::kNever;
   filter::Enclosure root;
-  switch (clear ? filter::Search::kNone
-                : search.from_first_node(a, node_end, bernstein, error, root)) {
-    case filter::Search::kUnknown:
-      return std::nullopt;
-    case filter::Search::kFound:
-      outlook = Outlook::kFails;
-      time = {root.lo, root.hi, 0};
-      break;
-    case filter::Search::kNone:
-      if (limit < end) outlook = Outlook::kLater;
-      time = limit < end ? FailureTime{limit, limit, 0} : FailureTime{kInfinity, kInfinity, 0};
-      break;
-  }
+  const filter::Search found = search_from<D>(search, a, node_end, bernstein, error, root);
+  const std::optional<Outlook> outlook = outlook_of(found, root, limit, end, time);
+  if (!outlook) return std::nullopt;
   count_solved(D);
   ++count(query).failures[static_cast<std::size_t>(Stage::kDouble)];
   return outlook;

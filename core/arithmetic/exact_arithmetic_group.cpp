@@ -9,6 +9,7 @@
 
 #include "core/arithmetic/exact_arithmetic.h"
 #include "core/arithmetic/reach_power.h"
+#include "core/arithmetic/search_outlook.h"
 
 namespace kinex {
 namespace {
@@ -130,26 +131,16 @@ Outlook ExactArithmetic::look_ahead_in_group(std::size_t i, const Query& query, 
   if ((g.known >> i & 1) == 0 || g.now_lo != now_.lo || g.now_hi != now_.hi) {
     return look_ahead(query, limit, time);
   }
-  Outlook outlook = limit < g.horizon[i] ? Outlook::kLater : Outlook::kNever;
-  if (!g.nodes.clear[i]) {
-    filter::Enclosure root;
-    switch (filter::from_first_node(g.nodes, i, g.c, g.m, g.degree, g.origin,
-                                    g.now_hi - g.origin, g.node_end[i], root)) {
-      case filter::Search::kNone:
-        break;
-      case filter::Search::kFound:
-        outlook = Outlook::kFails;
-        time = {root.lo, root.hi, 0};
-        break;
-      case filter::Search::kUnknown:
-        return look_ahead(query, limit, time);
-    }
-  }
-  if (outlook == Outlook::kLater) time = {limit, limit, 0};
-  if (outlook == Outlook::kNever) time = {kInfinity, kInfinity, 0};
+  filter::Enclosure root;
+  const filter::Search found =
+      g.nodes.clear[i] ? filter::Search::kNone
+                       : filter::from_first_node(g.nodes, i, g.c, g.m, g.degree, g.origin,
+                                                 g.now_hi - g.origin, g.node_end[i], root);
+  const std::optional<Outlook> outlook = outlook_of(found, root, limit, g.horizon[i], time);
+  if (!outlook) return look_ahead(query, limit, time);
   count_solved(g.degree);
   ++count(query).failures[static_cast<std::size_t>(Stage::kDouble)];
-  return outlook;
+  return *outlook;
 }
 
 }  // namespace kinex

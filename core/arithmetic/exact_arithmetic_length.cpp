@@ -18,6 +18,7 @@
 
 #include "core/arithmetic/exact_arithmetic.h"
 #include "core/arithmetic/reach_power.h"
+#include "core/arithmetic/search_outlook.h"
 #include "core/numbers/first_root.h"
 #include "core/numbers/interval_sign.h"
 #include "core/numbers/lanes.h"
@@ -160,22 +161,12 @@ std::optional<Outlook> ExactArithmetic::length_failure_of(const Query& query, do
     std::array<double, kDegree + 1> bernstein;
     const Root search(c, m, kDegree, origin_);
     const double error = search.expand(from, Root::length_of(from, node_end), bernstein);
-    bool clear = error >= 0;
-    for (int i = 1; i <= kDegree; ++i) clear = clear && bernstein[i] > error;
     filter::Enclosure root;
-    switch (clear ? filter::Search::kNone
-                  : search.from_first_node(from, node_end, bernstein, error, root)) {
-      case filter::Search::kUnknown:
-        return std::nullopt;
-      case filter::Search::kFound:
-        outlook = Outlook::kFails;
-        time = {root.lo, root.hi, 0};
-        break;
-      case filter::Search::kNone:
-        if (limit < end) outlook = Outlook::kLater;
-        time = limit < end ? FailureTime{limit, limit, 0} : FailureTime{kInfinity, kInfinity, 0};
-        break;
-    }
+    const filter::Search found =
+        search_from<kDegree>(search, from, node_end, bernstein, error, root);
+    const std::optional<Outlook> known = outlook_of(found, root, limit, end, time);
+    if (!known) return std::nullopt;
+    outlook = *known;
   }
   count_solved(kDegree);
   ++count(query).failures[static_cast<std::size_t>(Stage::kDouble)];

@@ -9,6 +9,7 @@ namespace kinex {
 namespace {
 
 constexpr std::size_t kMostCharacters = 20;
+constexpr int kDigits = 6;  // after the point, of an irrational number
 
 // Also for numbers beyond the range of doubles.
 std::string short_decimal(const Rational& t) {
@@ -32,6 +33,12 @@ std::string time_text(const Rational& t) {
 
 std::string time_text(const InstantName& instant) {
   return instant.is_rational() ? time_text(instant.lower) : "about " + instant.decimal;
+}
+
+std::string time_text(const Polynomial& p, RealRoot& root, RootCounters& counters) {
+  const RootName name = name_root(p, root, counters);
+  return name.lower == name.upper ? time_text(name.lower)
+                                  : "about " + decimal(root, kDigits, counters);
 }
 
 }  // namespace kinex

@@ -7,6 +7,7 @@
 
 #include "core/numbers/instant_name.h"
 #include "core/numbers/rational.h"
+#include "core/numbers/real_root.h"
 
 namespace kinex {
 
@@ -17,6 +18,8 @@ std::string time_text(const Rational& t);
 // The same of an instant that is named in full (InstantDetail::kName); about its decimal where it is
 // irrational, or the arithmetic inexact.
 std::string time_text(const InstantName& instant);
+// The same of a root of p, which is not zero: "1/3 (0.3333333333)", "about 1.414213".
+std::string time_text(const Polynomial& p, RealRoot& root, RootCounters& counters);
 
 }  // namespace kinex
 

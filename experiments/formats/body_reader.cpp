@@ -9,6 +9,7 @@
 
 #include "core/numbers/polynomial_gcd.h"
 #include "core/numbers/real_root.h"
+#include "core/numbers/time_text.h"
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/placed_body.h"
@@ -160,7 +161,8 @@ void check_rotor(const JsonNode& node, const Trajectory& trajectory, const Ratio
   for (RootWithMultiplicity& zero : isolate_real_roots(common, counters)) {
     if (compare(zero.root, from, counters) < 0) continue;
     if (to && compare(zero.root, *to, counters) > 0) continue;
-    node.fail("both parts of the rotor vanish at " + decimal(zero.root, 6, counters), remedy);
+    node.fail("both parts of the rotor vanish at " + time_text(common, zero.root, counters),
+              remedy);
   }
 }
 

@@ -63,10 +63,10 @@ void check_not_negative(const JsonNode& node, const std::vector<Rational>& coeff
   }
   RealRoot after(from);
   RootCounters counters;
-  std::optional<RealRoot> turns =
-      first_sign_change_after(Polynomial::from_rationals(coefficients), after, to, counters);
+  const Polynomial extent = Polynomial::from_rationals(coefficients);
+  std::optional<RealRoot> turns = first_sign_change_after(extent, after, to, counters);
   if (!turns || (goes_on && to && compare(*turns, *to, counters) == 0)) return;
-  node.fail(what + " is negative right after " + decimal(*turns, 6, counters), remedy);
+  node.fail(what + " is negative right after " + time_text(extent, *turns, counters), remedy);
 }
 
 bool has_polygon(const JsonNode& object) { return object.find("polygon").has_value(); }

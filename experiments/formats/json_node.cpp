@@ -61,7 +61,8 @@ void JsonNode::fail(const std::string& problem, const std::string& remedy) const
 }
 
 void JsonNode::refuse(std::string_view what, const std::string& remedy) const {
-  fail(shown(*value_) + " is not " + std::string(what), remedy);
+  const bool is_open = is(JsonValue::Kind::kArray) || is(JsonValue::Kind::kObject);
+  fail(shown(*value_) + (is_open ? " in place of " : " is not ") + std::string(what), remedy);
 }
 
 std::string_view JsonNode::string() const {

@@ -59,7 +59,7 @@ class JsonNode {
   std::string path() const;
   // Throws "FILE: PATH: PROBLEM; REMEDY (line N)".
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const;
-  // Throws "... SHOWN is not WHAT; write REMEDY".
+  // Throws "... SHOWN is not WHAT; REMEDY", or "an array in place of WHAT; REMEDY".
   [[noreturn]] void refuse(std::string_view what, const std::string& remedy) const;
 
  private:

@@ -137,6 +137,27 @@ std::string described_lines(const Scene& scene) {
 
 std::string shown_name(const Scene& scene) { return scene.name.empty() ? "(no name)" : scene.name; }
 
+std::string objects_in_words(const Scene& scene) {
+  if (scene.has_bodies()) return "rigid convex polygons";
+  if (scene.extents == Extents::kHalfExtents) return scene.dimension == 1 ? "intervals" : "boxes";
+  if (scene.extents == Extents::kRadius) {
+    return scene.dimension == 1 ? "intervals" : scene.dimension == 2 ? "discs" : "balls";
+  }
+  if (scene.extents == Extents::kWeight) return "points with weights";
+  const auto is_line = [](const SceneObject& object) { return object.line; };
+  if (scene.has_lines()) {
+    const bool all = std::all_of(scene.objects.begin(), scene.objects.end(), is_line);
+    return all ? "lines" : "lines and points";
+  }
+  std::set<std::string> colours;
+  for (const SceneObject& object : scene.objects) {
+    if (!object.ends.empty()) return "edges of a graph";
+    if (!object.colour.empty()) colours.insert(object.colour);
+  }
+  if (colours.empty()) return "points";
+  return "points of " + counted(colours.size(), "colour", "colours");
+}
+
 std::string describe_model(const Scene& scene, const std::string& hash) {
   const PlanCounts counts = count_plans(scene);
   std::string text = "scene     " + shown_name(scene) + "\n";
@@ -144,10 +165,10 @@ std::string describe_model(const Scene& scene, const std::string& hash) {
   text += "time      " + short_number(scene.start) +
           (scene.end ? " to " + short_number(*scene.end) : " until no event is left") + "\n";
   text += "objects   " + std::to_string(scene.objects.size()) + " in " +
-          counted(static_cast<std::size_t>(scene.dimension), "axis", "axes") + ": " +
-          std::to_string(scene.objects.size() - counts.at_rest) + " moving in degree " +
-          std::to_string(scene.degree()) + " at most, " + std::to_string(counts.at_rest) +
-          " at rest\n";
+          counted(static_cast<std::size_t>(scene.dimension), "axis", "axes") + " (" +
+          objects_in_words(scene) + "): " + std::to_string(scene.objects.size() - counts.at_rest) +
+          " moving in degree " + std::to_string(scene.degree()) + " at most, " +
+          std::to_string(counts.at_rest) + " at rest\n";
   if (scene.has_bodies()) text += described_bodies(scene);
   if (scene.extents == Extents::kWeight) {
     text += described_weights(scene);

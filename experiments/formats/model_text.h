@@ -13,6 +13,9 @@ namespace kinex::formats {
 // The scene's name; "(no name)" if it has none.
 std::string shown_name(const Scene& scene);
 
+// The kind of its objects: "points", "points of 2 colours", "balls", "lines and points".
+std::string objects_in_words(const Scene& scene);
+
 // The lines "scene", "objects", "motion", "maintain", and "left out": the parts of the program that
 // the scene does not need.
 std::string describe_model(const Scene& scene, const std::string& hash);

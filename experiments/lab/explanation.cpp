@@ -9,6 +9,7 @@
 
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/model_text.h"
 #include "experiments/lab/family.h"
 #include "experiments/lab/scene_run.h"
 #include "experiments/lab/structure_words.h"
@@ -298,8 +299,10 @@ Explanation explain(const Workload& workload) {
   const auto add = [&](const char* heading, Lines lines) {
     result.parts.emplace_back(heading, std::move(lines));
   };
+  WorkloadParameters few = defaults;
+  few.n = std::max(kFewObjects, workload.min_n);
   add("objects",
-      {std::string(workload.bodies ? "rigid convex polygons" : "points") + " in " +
+      {formats::objects_in_words(generate_scene(workload, few)) + " in " +
        formats::counted(static_cast<std::uint64_t>(workload.default_dimension), "axis", "axes")});
   add("scenes", {workload.random ? "random, the same for a seed on every machine"
                                  : "one for its parameters"});
@@ -311,8 +314,6 @@ Explanation explain(const Workload& workload) {
   const std::set<std::string> verified = structures_verified_on(workload.name);
   if (!verified.empty()) add("verified", {"by kinex verify: " + joined(verified)});
   const std::string name(workload.name);
-  WorkloadParameters few = defaults;
-  few.n = std::max(kFewObjects, workload.min_n);
   add("example",
       {command_of(workload, few) + " -o " + name + ".json", "kinex run " + name + ".json"});
   return result;

@@ -20,11 +20,6 @@ namespace {
   throw formats::InputError(std::string(workload.name), option, problem, remedy);
 }
 
-std::string range(int low, int high) {
-  if (low == high) return "write " + std::to_string(low);
-  return "write a number from " + std::to_string(low) + " to " + std::to_string(high);
-}
-
 void check_body_parameters(const Workload& workload, const WorkloadParameters& parameters) {
   if (parameters.separation && !workload.separation) {
     refuse(workload, "--separation", "this workload takes none", "leave --separation out");
@@ -50,7 +45,7 @@ void check_body_parameters(const Workload& workload, const WorkloadParameters& p
   if (parameters.turns < workload.min_turns || parameters.turns > kMaxWorkloadTurns) {
     refuse(workload, "--turns",
            formats::counted(static_cast<std::uint64_t>(parameters.turns), "turn", "turns"),
-           range(workload.min_turns, kMaxWorkloadTurns));
+           formats::write_between(workload.min_turns, kMaxWorkloadTurns));
   }
 }
 
@@ -58,7 +53,7 @@ void check_parameters(const Workload& workload, const WorkloadParameters& parame
   if (parameters.n < workload.min_n || parameters.n > kMaxWorkloadSize) {
     refuse(workload, "--n",
            std::to_string(parameters.n) + (workload.bodies ? " vertices" : " objects"),
-           range(workload.min_n, kMaxWorkloadSize));
+           formats::write_between(workload.min_n, kMaxWorkloadSize));
   }
   if (parameters.m != 0 && !workload.takes_m) {
     refuse(workload, "--m", "this workload has one size only", "leave --m out");
@@ -67,19 +62,19 @@ void check_parameters(const Workload& workload, const WorkloadParameters& parame
   if (parameters.m < min_m || parameters.m > kMaxWorkloadSize) {
     refuse(workload, "--m",
            std::to_string(parameters.m) + (workload.bodies ? " vertices" : " objects"),
-           range(workload.min_m, kMaxWorkloadSize));
+           formats::write_between(workload.min_m, kMaxWorkloadSize));
   }
   if (parameters.degree != 1 && !workload.takes_degree) {
     refuse(workload, "--degree", "this workload has a degree of its own", "leave --degree out");
   }
   if (parameters.degree < 1 || parameters.degree > kMaxWorkloadDegree) {
     refuse(workload, "--degree", "degree " + std::to_string(parameters.degree),
-           range(1, kMaxWorkloadDegree));
+           formats::write_between(1, kMaxWorkloadDegree));
   }
   if (parameters.dimension < workload.min_dimension ||
       parameters.dimension > workload.max_dimension) {
     refuse(workload, "--dimension", "dimension " + std::to_string(parameters.dimension),
-           range(workload.min_dimension, workload.max_dimension));
+           formats::write_between(workload.min_dimension, workload.max_dimension));
   }
   check_body_parameters(workload, parameters);
 }

@@ -13,6 +13,7 @@
 #include <optional>
 #include <system_error>
 
+#include "experiments/formats/counted.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/number_defect.h"
@@ -62,7 +63,7 @@ std::uint64_t seed_option(const char* option, const std::string& text) {
 void check_range(const char* option, int value, int low, int high) {
   if (value >= low && value <= high) return;
   throw formats::InputError(option, "", std::to_string(value) + " is out of range",
-                   "write a number from " + std::to_string(low) + " to " + std::to_string(high));
+                            formats::write_between(low, high));
 }
 
 void check_limit(const char* option, double value, bool or_zero, const char* remedy) {

@@ -202,6 +202,12 @@ bool Triangulation2::replace(std::span<const Triangle> cells,
         std::lower_bound(inner.begin(), inner.end(), Inner{from, to, 0, kNone, kNone}, before);
     return at != inner.end() && at->from == from && at->to == to ? &*at : nullptr;
   };
+  const bool has_ghost = std::any_of(inner.begin(), inner.end(),
+                                     [this](const Inner& side) { return side.from == infinity_; });
+  if (!has_ghost &&
+      std::any_of(cells.begin(), cells.end(), [this](Triangle t) { return ghost(t); })) {
+    return false;
+  }
   for (std::size_t i = 0; i < inner.size(); ++i) {
     if (inner[i].from == inner[i].to) return false;
     if (i > 0 && !before(inner[i - 1], inner[i])) return false;  // a side twice

@@ -112,7 +112,8 @@ class Triangulation2 {
 
   // Replaces `cells` by triangles with the corners `fresh_corners`, which fill the same place.
   // Vertices may go and come. Labels on the rim are kept; those inside are kNone. False, with nothing
-  // changed, if they do not fit. `fresh` receives the new triangles. O(k log k).
+  // changed, if they do not fit, or no ghost would be left. `fresh` receives the new triangles.
+  // O(k log k).
   bool replace(std::span<const Triangle> cells, std::span<const Corners> fresh_corners,
                std::vector<Triangle>& fresh);
 

@@ -206,6 +206,13 @@ void Triangulation3::flip_3_2(Facet f, Facet out, std::array<Facet, 7>& fresh,
 bool Triangulation3::replace(std::span<const Cell> cells, std::span<const Quad> quads,
                              std::vector<Cell>& fresh) {
   fresh.clear();
+  const auto is_ghost = [this](const Quad& q) {
+    return std::find(q.begin(), q.end(), infinity_) != q.end();
+  };
+  const bool has_ghost = std::any_of(quads.begin(), quads.end(), is_ghost);
+  if (!has_ghost && std::any_of(cells.begin(), cells.end(), [&](Cell c) { return ghost(c); })) {
+    return false;
+  }
   entries_.clear();
   const std::uint32_t inside = next_epoch();
   for (const Cell c : cells) mark_[c] = inside;

@@ -104,7 +104,8 @@ class Triangulation3 {
 
   // Replaces `cells` by cells with the vertices `quads`, which fill the same place: every facet is
   // in two cells, from opposite sides. Labels on the rim are kept; those inside are kNone. False,
-  // with nothing changed, if they do not fit. `fresh` receives the new cells. O(k log k).
+  // with nothing changed, if they do not fit, or no ghost would be left. `fresh` receives the new
+  // cells. O(k log k).
   bool replace(std::span<const Cell> cells, std::span<const Quad> quads, std::vector<Cell>& fresh);
 
   // +1 or -1: the orientation of the facet opposite place i, vertices ascending, in a cell. The two

@@ -28,8 +28,10 @@ std::vector<lab::BenchRow> proximity_bench_rows(int scale) {
                                 "bichromatic_pair_delaunay", "nearest_site", "voronoi_cell_2"}) {
     for (const int size : {200, 1000}) rows.push_back(random_row(structure, 1, n(size)));
   }
-  rows.push_back(random_row("nearest_site", 1, n(500)));
-  rows.back().parameters.dimension = 3;
+  for (const char* structure : {"nearest_site", "emst_cycles"}) {
+    rows.push_back(random_row(structure, 1, n(500)));
+    rows.back().parameters.dimension = 3;
+  }
   rows.push_back(random_row("closest_pair_local", 1, n(10000), 1'500'000));
   for (const char* structure : {"cones_local", "mst_maximum_norm_list", "mst_maximum_norm_cycles",
                                 "mst_maximum_norm_clusters", "mst_polygon_list",

@@ -215,7 +215,7 @@ TEST(SweepPlan, DefectsOfTheWhole) {
   const auto refused = [](const std::string& text, const std::string& message) {
     EXPECT_INPUT_ERROR(parse_plan(text, "plan.json", PlanCheck::kScenes), message);
   };
-  refused("[]", "is not an object");
+  refused("[]", "in place of an object");
   refused(R"({"kinex_plan": 2, "name": "a", "blocks": []})", "/kinex_plan: 2 is not a version");
   refused(R"({"kinex_plan": 1, "name": "a", "blocks": []})", "/blocks: a plan without blocks");
   refused(R"({"kinex_plan": 1, "name": "a", "blocks": [{}], "limits": {"seconds": 0}})",

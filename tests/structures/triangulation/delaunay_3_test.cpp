@@ -244,5 +244,29 @@ TEST(Delaunay3, InexactArithmeticsNeverFallOver) {
   }
 }
 
+// Signs that contradict each other put every cell in conflict with a point: no ghost would be left.
+TEST(Delaunay3, InexactSignsDoNotTakeAwayEveryCell) {
+  const Rational far = *Rational::parse("8499999999999999000000000000000");
+  const Rational farther = *Rational::parse("8499999999999999999999000000000");
+  const Rational odd(std::int64_t{-9007199254740993});
+  const Scene huge =
+      scene_of({moving({0}, {1}, {0}), moving({0}, {0}, {1}), moving({far}, {farther}, {0}),
+                moving({0, -1}, {0}, {0}), moving({0}, {odd}, {0})},
+               -10, Rational(-6));
+  const Scene level = scene_of(
+      {moving({2}, {2}, {1, -1}), moving({Rational(19, 7), -1}, {1, -1}, {0}),
+       moving({2}, {2}, {0}), moving({2}, {3, -1}, {-1, 1}), moving({4}, {-1, 1}, {-2, 1})},
+      0, Rational(4));
+  for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:24", "mpfr:60"}) {
+    for (const Scene& scene : {huge, level}) {
+      World world(scene, arithmetic, AuditLevel::kNone);
+      world.run();
+      EXPECT_EQ(world.status, RunStatus::kDone) << arithmetic;
+    }
+  }
+  World(huge).run().expect_clean();
+  World(level).run().expect_clean();
+}
+
 }  // namespace delaunay_3_test
 }  // namespace kinex::delaunay_3_test

@@ -36,7 +36,8 @@ constexpr double kLeastSeconds = 1;
 constexpr int kMostInDoubles = 5000;
 
 struct Measured {
-  std::string_view structure, workload;
+  std::string_view structure;
+  std::string scene;  // its workload, "uniform-square in space"
   int n = 0;
   lab::BenchRun exact;
   double ratio = 0;  // over doubles; 0: these handle other events
@@ -79,18 +80,37 @@ Measured measure(const lab::BenchRow& row, const lab::BenchOptions& options) {
   const std::vector<lab::BenchRun> best = lab::best_runs(
       scene, ways, {.count = row.rounds, .least_seconds = options.smoke ? 0 : kLeastSeconds});
   const bool same = best.size() == 2 && lab::same_events(best[0], best[1]);
-  return {row.structure, row.workload, row.parameters.n, best[0],
-          same ? best[0].seconds / best[1].seconds : 0};
+  // Rows without a dimension have as few axes as their structures allow.
+  const bool in_space = row.parameters.dimension == 3;
+  return {row.structure, std::string(row.workload) + (in_space ? " in space" : ""),
+          row.parameters.n, best[0], same ? best[0].seconds / best[1].seconds : 0};
 }
 
 void add_row(const Measured& m, lab::ResultTable& table) {
   const double events = static_cast<double>(m.exact.events);
-  table.row({m.structure, m.workload, m.n, m.exact.events, m.exact.seconds,
-             events / m.exact.seconds, changes_per_second(m.exact), m.ratio});
+  table.row({m.structure, m.scene, m.n, m.exact.events, m.exact.seconds, events / m.exact.seconds,
+             changes_per_second(m.exact), m.ratio});
 }
 
-std::string place(const Measured& m) {
-  return std::string(m.workload) + ", n = " + std::to_string(m.n);
+std::string place(const Measured& m) { return m.scene + ", n = " + std::to_string(m.n); }
+
+// Both runs have the same flips; that of the tree has further events.
+void compare_trees(const std::vector<Measured>& rows, std::string_view triangulation, int n,
+                   std::vector<lab::Aim>& aims) {
+  const Measured *tree = nullptr, *read = nullptr;
+  for (const Measured& m : rows) {
+    if (m.n != n || !m.scene.starts_with("uniform-square")) continue;
+    if (m.structure == "emst_cycles" && tree == nullptr) tree = &m;
+    if (m.structure == triangulation && read == nullptr) read = &m;
+  }
+  if (tree == nullptr || read == nullptr) return;
+  const auto per_event = [](const Measured& m) {
+    return m.exact.seconds / static_cast<double>(m.exact.events);
+  };
+  const std::string both =
+      " of emst_cycles over that of " + std::string(triangulation) + ", n = " + std::to_string(n);
+  aims.push_back({"time" + both, 2, tree->exact.seconds / read->exact.seconds, true});
+  aims.push_back({"time per event" + both, 2, per_event(*tree) / per_event(*read), true});
 }
 
 // The aims of the rows; the worst row of each structure counts for its ratio, of those that have one.
@@ -109,31 +129,18 @@ std::vector<lab::Aim> aims_of(const std::vector<Measured>& rows) {
     aims.push_back(
         {"exact / double of " + std::string(structure) + ", " + place(*m), most, m->ratio, true});
   }
-  std::map<std::pair<std::string_view, int>, const lab::BenchRun*> runs;
   for (const Measured& m : rows) {
-    if (m.workload != "uniform-square") continue;
-    const double per_second = static_cast<double>(m.exact.events) / m.exact.seconds;
-    if (m.structure == "delaunay_3") {
+    if (m.structure == "delaunay_3" && m.scene.starts_with("uniform-square")) {
       aims.push_back({"events per second of delaunay_3, n = " + std::to_string(m.n), 100'000,
-                      per_second, false});
+                      static_cast<double>(m.exact.events) / m.exact.seconds, false});
     }
     if (m.structure == "closest_pair_local" && m.n == 10'000) {
       aims.push_back({"changes per second of closest_pair_local, n = 10000", 500'000,
                       changes_per_second(m.exact), false});
     }
-    runs.try_emplace({m.structure, m.n}, &m.exact);
   }
-  // Both runs have the same flips; that of the tree has two more events for each.
-  const auto tree = runs.find({"emst_cycles", 1000}), read = runs.find({"delaunay_2", 1000});
-  if (tree != runs.end() && read != runs.end()) {
-    const auto per_event = [](const lab::BenchRun& run) {
-      return run.seconds / static_cast<double>(run.events);
-    };
-    aims.push_back({"time of emst_cycles over that of delaunay_2, n = 1000", 2,
-                    tree->second->seconds / read->second->seconds, true});
-    aims.push_back({"time per event of emst_cycles over that of delaunay_2, n = 1000", 2,
-                    per_event(*tree->second) / per_event(*read->second), true});
-  }
+  compare_trees(rows, "delaunay_2", 1000, aims);
+  compare_trees(rows, "delaunay_3", 500, aims);
   return aims;
 }
 
