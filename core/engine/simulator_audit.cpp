@@ -18,6 +18,18 @@ constexpr std::array<unsigned long, 14> kSteps{0,  1,   2,   4,   8,    16,   32
                                                64, 128, 256, 512, 1024, 2048, 4096};
 constexpr std::size_t kInexactSteps = 8;
 
+// A radius or half an extent that is negative: right after the scene's end it may become so.
+bool has_negative_extent(const Scene& scene, const Snapshot& positions) {
+  if (scene.extents != Extents::kRadius && scene.extents != Extents::kHalfExtents) return false;
+  for (ObjectId object = 0; object < positions.objects(); ++object) {
+    if (!positions.alive(object)) continue;
+    for (int axis = scene.dimension; axis < scene.axes(); ++axis) {
+      if (positions.position(object, axis).sign() < 0) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 Snapshot Simulator::snapshot(const Rational& t) const {
@@ -58,9 +70,10 @@ void Simulator::audit_certificates() {
   }
 }
 
-// True if every certificate is positive at these positions (zero if it is identically zero): the
-// attributes are then unambiguous.
+// True if every certificate is positive at these positions (zero if it is identically zero), and no extent
+// negative: the attributes are then unambiguous.
 bool Simulator::certificates_hold(const Snapshot& positions) const {
+  if (has_negative_extent(scene_, positions)) return false;
   const EventQueue& queue = kernel_.queue();
   const Rational unit(1);
   std::array<MotionView<Rational>, kMaxViews> points;

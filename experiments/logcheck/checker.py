@@ -55,6 +55,7 @@ class Checker:
             self.done[1] = count(len({id(x) for x in instants}), "instant")
         if self.scene is None:
             return self.want(range(2, 6), "no scene was given")
+        self.shorten(instants)
         if self.world.scene.bodies:
             self.skip((2, 3, 4), "not for rigid bodies")
             if self.on[5]:
@@ -92,8 +93,6 @@ class Checker:
         if log.reached is not None:
             if log.reached < scene.start or (scene.end is not None and log.reached > scene.end):
                 raise Wrong("the run reached %s, outside of the scene's time" % log.reached, self.last_line())
-            if log.end == "done" and scene.end is None:
-                pass
         elif scene.end is not None:
             raise Wrong("a scene with an end, and a run that did not reach one", self.last_line())
 
@@ -180,6 +179,15 @@ class Checker:
 
     # ---- the walk
 
+    def shorten(self, instants):
+        """A run that is done before the scene's end is of a shorter scene, or has been driven up to there."""
+        reached = self.log.reached
+        if self.log.end != "done" or reached is None or reached == self.scene.end:
+            return
+        end = self.rational(reached)
+        if not any(r.kind == "erase" and compare(x, end) == 0 for r, x in zip(self.log.records, instants)):
+            self.scene.end_at(reached)
+
     def walk(self, instants):
         self.certificates = 0
         self.unsettled = set()  # structures whose certificates may be negative at this instant already
@@ -201,11 +209,10 @@ class Checker:
             raise Wrong("the first record is before the scene's start", records[0].line)
         self.start(x)
         change, i, n = 0, 0, len(records)
-        first = True
+        end = None if self.log.reached is None else self.rational(self.log.reached)
         self.own = [own_objects(s.name, s.options, self.scene) for s in self.log.structures]
         # Changes of objects that no structure is built from are in no record.
         changes = [c for c in self.scene.changes if any(own is None or c[2] in own for own in self.own)]
-        end = None if self.log.reached is None else self.rational(self.log.reached)
         while True:
             t = self.rational(changes[change][0]) if change < len(changes) else None
             if t is not None and end is not None and compare(t, end) > 0:
@@ -225,9 +232,6 @@ class Checker:
             j = i
             while j < n and instants[j] is x:
                 j += 1
-            if first and compare(x, self.rational(self.scene.start)) == 0 and not now:
-                pass
-            first = False
             if end is not None and compare(x, end) > 0:
                 raise Wrong("an event after %s, up to which the run is said to go" % self.log.reached,
                             records[i].line)

@@ -10,6 +10,7 @@ sphere, and not beyond the hull. Locally Delaunay, or regular, everywhere is so 
 from itertools import combinations
 
 from log import Wrong
+from replay_members import WithTies
 from replay_scratch import Scratch
 
 # Kinds of events by which one cell joins or leaves at the hull: whether it joins, and of its facets those on the hull
@@ -25,25 +26,10 @@ def groups_of(kind, ids):
     return ids[:first], ids[first:]
 
 
-class Cells(Scratch):
+class Cells(WithTies, Scratch):
     SIZES = {}   # of each kind of flip, the numbers of points that it may name
     OTHERS = {}  # the same of events that change no cell
     CORNERS = 4  # of a cell
-    TIES = {}    # predicates of claims about ties, and the one that is identically zero of the same points
-
-    moved_at = None  # the last instant with a new flight plan
-
-    def after_motion(self, objects, x):
-        super().after_motion(objects, x)
-        self.moved_at = x
-
-    def doubt(self, r, x, what):
-        """A claim about a tie is made when another claim becomes identically zero, by a new flight plan, and may be
-        negative before."""
-        predicate, ids = self.checker.query(r)
-        zero = self.TIES.get(predicate)
-        known = zero is not None and self.moved_at is x and self.world.is_zero((zero, ids))
-        self.require(known, what.replace("%", "%%"))
 
     def signs(self):
         """The predicates of an upright cell, and of a point inside its sphere, or below its plane."""

@@ -14,7 +14,7 @@ from triangulation import delaunay, edge_query, wants_other_diagonal
 
 
 class Delaunay(Replay):
-    bound = ["order_x", "order_y", "orientation_2", "in_circle_2"]
+    bound = ["order_x", "order_y", "orientation_2", "in_circle_2", "obtuse_angle_2"]
 
     def __init__(self, checker, structure):
         super().__init__(checker, structure)
@@ -197,7 +197,16 @@ class Delaunay(Replay):
         for place, claim in self.proof.claims.items():
             if len(place) == 2 and claim[0][0] == query[0] and normal_form(*claim[0]) == normal_form(*query):
                 return self.checker.failed(self, query, claim[2], x)
-        raise Wrong("%s: the certificate is not part of the proof" % r.short())
+        self.require(self.is_straight(query), "%s: the certificate is not part of the proof", r.short())
+        self.checker.failed(self, query, self.proof.claims[query[1][1], self.infinity][2], x)
+
+    def is_straight(self, query):
+        """That a vertex of the hull is between its neighbours, where the three are identically on one line, or
+        were until new motions came at this instant."""
+        if query[0] != "obtuse_angle_2" or (query[1][1], self.infinity) not in self.proof.claims:
+            return False
+        claim = self.proof.claims[query[1][1], self.infinity][0]
+        return set(claim[1]) == set(query[1]) and (self.moved or self.world.is_zero(claim))
 
     def difference(self, r):
         ids = self.world.scene.number

@@ -5,6 +5,7 @@ the attribute."""
 from functools import cmp_to_key
 from itertools import combinations
 
+from replay_members import WithTies
 from replay_pairs import BoxesThatMeet
 from replay_scratch import ClosestPair, Scratch
 
@@ -126,12 +127,13 @@ def sign(value):
     return (value > 0) - (value < 0)
 
 
-class ArrangementOfLines(Scratch):
+class ArrangementOfLines(WithTies, Scratch):
     """The orders of an arrangement. One event for each triangle that turned over, each two slopes that changed
     their order, and each two parallel lines that passed through each other."""
 
     partly = "internal events: the lists of crossings are not followed"
     KINDS = ("triple", "parallel", "equal")
+    TIES = {"order_y": "order_x"}  # of parallel lines the higher one is first
 
     def current(self, x):
         self.fresh = Signs(self.world, lines_and_points(self.members, self.world.scene)[0], x)

@@ -170,8 +170,7 @@ class NearestInMaximumNorm(MaximumNorm, TwoColours):
         self.require_members(r, 2 if r.kind == "order" else 4)
         objects = set(r.ids)
         if r.kind == "order":
-            if self.query(r) is not None:
-                self.require(set(self.query(r)[1]) == objects, "%s is not a failure of the two points", r.short())
+            self.require_order(r)
             return
         old, fresh = tuple(r.ids[:2]), tuple(r.ids[2:])
         self.require(old[0] < old[1] and fresh[0] < fresh[1], "%s: no two pairs", r.short())

@@ -75,8 +75,7 @@ class Octants(ByTurnedOrders):
         if r.kind != "point":
             self.require_members(r, 2)
             self.require(not r.external and r.gone is None, "%s says nothing of the attribute", r.short())
-            if self.query(r) is not None:
-                self.require(set(self.query(r)[1]) == set(r.ids), "%s is not a failure of the two points", r.short())
+            self.require_order(r)
             return
         self.require_members(r, 3)
         if self.missing is None:

@@ -174,8 +174,7 @@ class ClosestPairOfOrders(ClosestPair, ByTurnedOrders):
             super().event(r, x)
             return
         self.require_members(r, 2)
-        if self.query(r) is not None:
-            self.require(set(self.query(r)[1]) == set(r.ids), "%s is not a failure of the two points", r.short())
+        self.require_order(r)
 
 
 class TwoColours(ClosestPair):

@@ -24,7 +24,7 @@ def star(t, site):
 
 class VoronoiCell(Hull):
     at_every_instant = True  # the site may reach the hull, which changes the proof and not its neighbours
-    bound = ["order_x", "order_y", "orientation_2", "in_circle_2"]
+    bound = ["order_x", "order_y", "orientation_2", "in_circle_2", "obtuse_angle_2"]
 
     def __init__(self, checker, structure):
         super().__init__(checker, structure)

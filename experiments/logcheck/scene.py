@@ -285,7 +285,7 @@ class Scene:
                     continue
                 if self.end is not None and self.end < start:
                     break
-                if present and ended < start:
+                if present and ended is not None and ended < start:
                     changes.append((ended, 1, number, None))
                     present = False
                 if not present and start == self.start:
@@ -294,14 +294,18 @@ class Scene:
                     changes.append((start, 0 if present else 2, number, piece))
                 present = True
                 ended = piece.end
-                if ended is not None and self.end is not None and ended >= self.end:
-                    ended = None
                 if ended is None:
                     break
+                if self.end is not None and ended >= self.end:
+                    ended = None  # another piece may begin at the end
             if present and ended is not None:
                 changes.append((ended, 1, number, None))
         changes.sort(key=lambda c: c[:3])
         return changes
+
+    def end_at(self, end):
+        """The scene as if it ended earlier: no object disappears at that time."""
+        self.changes = [c for c in self.changes if c[:2] != (end, 1)]
 
 
 # ---- the canonical text

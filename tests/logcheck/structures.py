@@ -19,10 +19,13 @@ import logs
 ONCE_WRONG = [("line_arrangement_2", "grid", 8, 4), ("mst_maximum_norm_cycles", "grid", 5, 58),
               ("emst_clusters", "meet", 5, 60), ("convex_hull_2_brute_force", "grid", 5, 22),
               ("convex_hull_2_delaunay", "meet", 8, 23), ("convex_hull_2", "collinear-instant", 8, 23)]
-SCENES = {"line_arrangement_2": ["parallel_lines.json"], "trapezoids_2": ["parallel_walls.json", "points_beside_lines.json"],
-          "octants_listed": ["level_below.json", "level_aslant.json"],
+SCENES = {"line_arrangement_2": ["parallel_lines.json", "parallel_by_a_plan.json"], "sorted_list": ["plan_at_the_end.json"],
+          "delaunay_2": ["passes_on_the_hull.json"], "trapezoids_2": ["parallel_walls.json", "points_beside_lines.json"],
+          "octants_listed": ["level_below.json", "level_aslant.json", "level_neighbours.json"],
           "regular_3": ["weights_in_a_plane.json"], "delaunay_3": ["point_lands.json"],
           "closest_pair_discs": ["balls_on_a_wall.json", "ball_lands.json"]}
+# The same, run up to a time before its end: no object goes at that.
+UNTIL = {"sorted_list": [("plan_at_the_end.json", "1"), ("plan_at_the_end.json", "3/2")]}
 
 
 def maintained(structure, known):
@@ -52,8 +55,8 @@ def main():
         if path:
             check_scene(scratch, structure, path, f"{family}, n = {n}, seed {seed}, {json.dumps(maintain)}", n <= 5)
 
-    def check_scene(scratch, structure, path, where, small):
-        data = logs.run(program, scratch, path)
+    def check_scene(scratch, structure, path, where, small, *more):
+        data = logs.run(program, scratch, path, *more)
         if data is None:
             return
         tried[structure] += 1
@@ -73,6 +76,9 @@ def main():
         for structure in [name for name in SCENES if name in chosen]:
             for name in SCENES[structure]:
                 check_scene(scratch, structure, pathlib.Path(__file__).with_name(name), name, True)
+            for name, until in UNTIL.get(structure, ()):
+                path = pathlib.Path(__file__).with_name(name)
+                check_scene(scratch, structure, path, f"{name} until {until}", True, "--until", until)
         for structure in known.line + known.plane:
             if structure not in chosen:
                 continue

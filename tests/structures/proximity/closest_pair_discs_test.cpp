@@ -53,6 +53,13 @@ Scene gaps_along_row(int m, int n) {
   return scene;
 }
 
+// After the scene's end a radius may become negative: audits at the end ask for no such time.
+TEST(ClosestPairDiscs, RadiiBecomeNegativeAfterTheEnd) {
+  const Scene scene = discs({disc({0}, {0}, {0}), disc({0}, {0}, {1, 1, -1})}, 0, 1);
+  const TwinRun run(scene, kAsked);
+  EXPECT_EQ(run.ledger().external, 0u);
+}
+
 TEST(ClosestPairDiscs, GapsAlongARow) {
   for (const auto& [m, n] : {std::pair{2, 2}, {3, 2}, {4, 2}, {3, 3}, {5, 4}}) {
     SCOPED_TRACE(std::to_string(m) + " and " + std::to_string(n));
