@@ -103,9 +103,12 @@ void LogSceneCheck::note_change(const LogRecord& record, RealRoot* instant) {
   }
   const Rational t = instant->value();
   motions_.changed(object->second, t);
-  if (appeared_at_ != t) appeared_.clear();
+  if (appeared_at_ != t) {
+    appeared_.clear();
+    moved_.clear();
+  }
   appeared_at_ = t;
-  if (inserted) appeared_.push_back(record.ids[0]);
+  (inserted ? appeared_ : moved_).push_back(record.ids[0]);
 }
 
 void LogSceneCheck::note_instant(const LogRecord& record) {
@@ -191,15 +194,19 @@ std::string LogSceneCheck::check_certificate(const LogRecord& record, RealRoot& 
     return "";
   }
   ++certificates_;
-  const bool fresh = appeared_at_ && compare(instant, *appeared_at_, counters_) == 0 &&
-                     std::any_of(said.ids.begin(), said.ids.end(), [this](const std::string& id) {
-                       return std::find(appeared_.begin(), appeared_.end(), id) != appeared_.end();
-                     });
+  const bool at_changes = appeared_at_ && compare(instant, *appeared_at_, counters_) == 0;
+  const auto share = [](const std::vector<std::string>& some,
+                        const std::vector<std::string>& others) {
+    return std::find_first_of(some.begin(), some.end(), others.begin(), others.end()) != some.end();
+  };
+  const bool fresh = at_changes && share(said.ids, appeared_);
+  // The claim of a tie that a new flight plan has made.
+  const bool of_tie = at_changes && (share(said.ids, moved_) || share(record.ids, moved_));
   const auto problem_if = [&](const Failure& failure) {
     if (along) return direction_problem(meanings->second, said.predicate, of, failure, instant);
     return polynomial_problem(certificate_polynomial(*known, of), failure, instant);
   };
-  Failure failure{!fresh && !may_be_made_negative(record),
+  Failure failure{!fresh && !of_tie && !may_be_made_negative(record),
                   fresh || touching_.count(record.structure) == 0};
   const std::string problem = problem_if(failure);
   if (problem.empty() || !failure.vanishes) return problem;

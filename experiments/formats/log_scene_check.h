@@ -76,9 +76,9 @@ class LogSceneCheck {
       turned_;  // labels of structures that certify an order after a turn where lengths are level
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const Predicate>> predicates_;
   MotionsInForce motions_;
-  // Objects that appeared at the time of the last record: a certificate of theirs can be negative
-  // without having been zero.
-  std::vector<std::string> appeared_;
+  // Objects that appeared, and that got new motions, at the last such time: a certificate of the first,
+  // and one of a tie that the second have made, can be negative without having been zero.
+  std::vector<std::string> appeared_, moved_;
   std::optional<Rational> appeared_at_;
   bool lost_ = false;  // a change of motion at an unknown time
   // By label: what the structure watches, and what that watches.

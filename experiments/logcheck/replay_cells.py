@@ -35,6 +35,14 @@ class Cells(WithTies, Scratch):
         """The predicates of an upright cell, and of a point inside its sphere, or below its plane."""
         raise NotImplementedError
 
+    def doubt(self, r, x, what):
+        """The claim of a tie is an orientation of some of the points; a new flight plan has put them all on one sphere."""
+        upright, inside = self.signs()
+        if (self.moved_at is x and self.query(r)[0] == upright and len(r.ids) == self.CORNERS + 1
+                and self.world.is_zero((inside, r.ids))):
+            return
+        super().doubt(r, x, what)
+
     # ---- the proof
 
     def begin(self, x):

@@ -77,6 +77,13 @@ def run(program, folder, scene, *more):
     return path.read_bytes()
 
 
+def complaint(program, folder, scene):
+    """What kinex check says against the log that run() has written last; "" if nothing."""
+    done = subprocess.run([program, "check", "-q", str(pathlib.Path(folder) / "run.jsonl"), "--scene", str(scene)],
+                          capture_output=True, text=True)
+    return "" if done.returncode == 0 else done.stderr.strip() or f"exit code {done.returncode}"
+
+
 def skip_old(program):
     """Exit code 77 if the program's logs are not of version 2."""
     with tempfile.TemporaryDirectory() as folder:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every structure on every family that suits it, through all levels of kinex-logcheck.
+"""Every structure on every family that suits it, through kinex check and all levels of kinex-logcheck.
 
 usage: structures.py PROGRAM LOGCHECK_FOLDER [STRUCTURE,...|all [SHIFT]]
 
@@ -21,8 +21,8 @@ ONCE_WRONG = [("line_arrangement_2", "grid", 8, 4), ("mst_maximum_norm_cycles", 
               ("convex_hull_2_delaunay", "meet", 8, 23), ("convex_hull_2", "collinear-instant", 8, 23)]
 SCENES = {"line_arrangement_2": ["parallel_lines.json", "parallel_by_a_plan.json"], "sorted_list": ["plan_at_the_end.json"],
           "delaunay_2": ["passes_on_the_hull.json"], "trapezoids_2": ["parallel_walls.json", "points_beside_lines.json"],
-          "octants_listed": ["level_below.json", "level_aslant.json", "level_neighbours.json"],
-          "regular_3": ["weights_in_a_plane.json"], "delaunay_3": ["point_lands.json"],
+          "octants_listed": ["level_below.json", "level_aslant.json", "level_neighbours.json", "level_by_a_plan.json"],
+          "regular_3": ["weights_in_a_plane.json"], "delaunay_3": ["point_lands.json", "equal_by_a_plan.json"],
           "closest_pair_discs": ["balls_on_a_wall.json", "ball_lands.json"]}
 # The same, run up to a time before its end: no object goes at that.
 UNTIL = {"sorted_list": [("plan_at_the_end.json", "1"), ("plan_at_the_end.json", "3/2")]}
@@ -60,6 +60,9 @@ def main():
         if data is None:
             return
         tried[structure] += 1
+        problem = logs.complaint(program, scratch, path)
+        if problem:
+            wrong.append(f"{structure} on {where}: kinex check: {problem}")
         verdict, message, done = logs.check(modules, data, path, range(6) if small else range(5))
         if verdict != "fine":
             wrong.append(f"{structure} on {where}: {message}")
