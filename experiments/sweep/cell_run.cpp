@@ -121,7 +121,9 @@ CellReport run_or_refuse(const RunCell& cell) {
   try {
     return run_whole(cell);
   } catch (const formats::InputError& error) {
-    return without_counts(Outcome::kRefused, error.what());
+    const std::string file = error.file() == "--maintain" ? "structure" : error.file();
+    const formats::InputError told(file, error.place(), error.problem(), error.remedy());
+    return without_counts(Outcome::kRefused, told.what());
   } catch (const std::invalid_argument& error) {
     return without_counts(Outcome::kRefused, error.what());
   } catch (const std::bad_alloc&) {

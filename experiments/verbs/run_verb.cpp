@@ -352,7 +352,7 @@ void add_run_verb(CLI::App& app, int& exit_code) {
                    "exact (default), sturm, double, gsl or mpfr:P");
   verb->add_option("--scheduling", options->scheduling,
                    "lazy (default: failure times are searched for within a window) or eager");
-  verb->add_option("--until", options->until, "Stop at this time, before the scene's end");
+  verb->add_option("--until", options->until, "Stop at this time, as if the scene ended there");
   verb->add_option("--events", options->events, "Write the event log to this file, - prints it");
   verb->add_option("--instants", options->instants,
                    "Detail of the log's instants: names (default: exact), intervals or none");

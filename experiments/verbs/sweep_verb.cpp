@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex sweep: plans of many cells, on one machine or many.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <deque>
 #include <filesystem>
@@ -199,9 +202,31 @@ void run(const ShardOptions& options, int& exit_code) {
 
 // ---- cell ---------------------------------------------------------------------------------------
 
-void cell(const std::string& text, const lab::ProcessLimits& limits, int parent) {
+extern "C" void say_that_time_is_up(int) {
+  static constexpr char kText[] =
+      "kinex: cell: the limit of CPU time is reached; raise --seconds\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, kText, sizeof kText - 1);
+  ::_exit(kExitGaveUp);
+}
+
+int exit_code_of(Outcome outcome) {
+  if (outcome == Outcome::kDone) return kExitFine;
+  if (outcome == Outcome::kRefused) return kExitBadInput;
+  return outcome == Outcome::kFailed ? kExitFailed : kExitGaveUp;
+}
+
+// A sweep reads from its children what became of the cell, and how they ended. For others the exit code
+// tells it, and standard error says why.
+void cell(const std::string& text, const lab::ProcessLimits& limits, int parent, const Voice& voice,
+          int& exit_code) {
+  const bool by_hand = parent == 0;
+  if (by_hand) std::signal(SIGXCPU, say_that_time_is_up);
   lab::limit_this_process(limits, parent);
-  print(report_text(run_any(text, experiments())));
+  const CellReport report = run_any(text, experiments());
+  print(report_text(report));
+  if (!by_hand) return;
+  exit_code = exit_code_of(report.outcome);
+  if (!report.message.empty()) voice.error("cell: " + report.message);
 }
 
 // ---- status, merge ------------------------------------------------------------------------------
@@ -342,7 +367,7 @@ void add_run(CLI::App& sweep, int& exit_code) {
   });
 }
 
-void add_cell(CLI::App& sweep) {
+void add_cell(CLI::App& sweep, int& exit_code) {
   struct Options {
     std::string text;
     lab::ProcessLimits limits;
@@ -354,9 +379,13 @@ void add_cell(CLI::App& sweep) {
   verb->add_option("--seconds", options->limits.seconds, "Limit of CPU time (none)");
   verb->add_option("--megabytes", options->limits.megabytes, "Limit of memory (none)");
   verb->add_option("--parent", options->parent, "End with this process")->group("");
-  verb->footer("Example:\n  kinex sweep cell '{\"structure\": \"" + example_structure(2) +
-               "\",\n    \"workload\": \"uniform-square\", \"n\": 50}'");
-  verb->callback([options] { cell(options->text, options->limits, options->parent); });
+  verb->footer(
+      "Exit codes: 1 a bound or an audit failed; 2 the cell was refused; 3 a limit was reached.\n"
+      "Example:\n  kinex sweep cell '{\"structure\": \"" +
+      example_structure(2) + "\",\n    \"workload\": \"uniform-square\", \"n\": 50}'");
+  verb->callback([options, verb, &exit_code] {
+    cell(options->text, options->limits, options->parent, voice_of(*verb), exit_code);
+  });
 }
 
 void add_status(CLI::App& sweep, int& exit_code) {
@@ -426,7 +455,7 @@ void add_sweep_verb(CLI::App& app, int& exit_code) {
   add_run(*sweep, exit_code);
   add_status(*sweep, exit_code);
   add_merge(*sweep, exit_code);
-  add_cell(*sweep);
+  add_cell(*sweep, exit_code);
 }
 
 }  // namespace kinex::verbs

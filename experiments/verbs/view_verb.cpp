@@ -294,7 +294,7 @@ void add_view_verb(CLI::App& app, int& exit_code) {
   add_maintain_option(*verb, options->maintain,
                       "Structures in place of those of the log or the scene");
   verb->add_option("--from", options->from, "Show the run from this time on");
-  verb->add_option("--until", options->until, "Stop at this time, before the scene's end");
+  verb->add_option("--until", options->until, "Stop at this time, as if the scene ended there");
   verb->add_option("--max-events", options->max_events,
                    "The most log records of each run (200000)");
   verb->add_flag("--force", options->force, "Replace a page that exists");

@@ -59,7 +59,7 @@ double least_bound(const lab::CellResult& cell) {
   return least;
 }
 
-// All families of one structure over n, in the order of the cells.
+// All families of one structure over n, one for each workload, in the order of the cells.
 std::vector<Family> families_of(const std::vector<lab::CellResult>& cells,
                                 const std::string& structure) {
   std::vector<Family> families;
@@ -70,7 +70,8 @@ std::vector<Family> families_of(const std::vector<lab::CellResult>& cells,
     if (!(mean.mean() > 0)) continue;            // cannot be drawn on a logarithmic axis
     const int degree = cell.cell.parameters.degree;
     auto found = std::find_if(families.begin(), families.end(), [&](const Family& family) {
-      return family.name == cell.cell.family && family.degree == degree;
+      return family.name == cell.cell.family && family.workload == cell.cell.workload &&
+             family.degree == degree;
     });
     if (found == families.end()) found = families.insert(found, {cell.cell.family, cell.cell.workload, degree, {}});
     const auto n = static_cast<double>(cell.trials.front().measurement.objects);
@@ -132,18 +133,20 @@ lab::Figure counts_figure(const VerifyResult& result, const std::string& structu
   // Several families may differ only in the degree of the motion.
   const auto name_of = [&](const Family& family) {
     const bool alone = std::count_if(families.begin(), families.end(), [&](const Family& other) {
-                         return other.name == family.name;
+                         return other.name == family.name && other.workload == family.workload;
                        }) == 1;
     const std::string name = with_workload(family.name, family.workload);
     return alone ? name : fmt::format("{}, degree {}", name, family.degree);
   };
   std::vector<lab::Curve> curves;
+  std::set<std::string> fitted;  // families whose line is drawn: of several workloads one
   for (std::size_t i = 0; i < families.size(); ++i) {
     const Family& family = families[i];
     lab::Curve curve{name_of(family), family.points(), ""};
     curve.look = i;
     curve.joined = false;
-    if (const lab::GrowthResult* growth = growth_of(result, structure, family.name)) {
+    const lab::GrowthResult* const growth = growth_of(result, structure, family.name);
+    if (growth != nullptr && fitted.insert(family.name).second) {
       curve.line = growth->fit;
       curve.line_from = growth->points.front().n;
       curve.value = lab::power_value(*growth->fit, "n");

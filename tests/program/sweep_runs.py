@@ -306,6 +306,18 @@ def test_cells_are_runs(program, source, folder):
     assert json.loads(listed)["key"] == records_of(folder / "out")[0]["key"]
 
 
+def test_cells_by_hand(program, source, folder):
+    """Their exit codes are those of the program, and standard error says why."""
+    cell = {"structure": "emst_lst", "workload": "uniform-square", "n": 10}
+    refused = sweep(program, "cell", json.dumps(cell), code=2)
+    assert json.loads(refused.stdout)["status"] == "refused"
+    assert refused.stderr.startswith('kinex: cell: structure: "emst_lst" is not a known structure'), refused.stderr
+    late = sweep(program, "cell", json.dumps({**LONG[0], "seed": 1}), "--seconds", 1, code=3)
+    assert late.stdout == "" and "raise --seconds" in late.stderr, (late.stdout, late.stderr)
+    cell.update(structure="emst_list", workload="no-such")
+    assert "no-such" in sweep(program, "cell", json.dumps(cell), code=2).stderr
+
+
 def test_plans(program, source, folder):
     """Plans that are committed can be run, and the schema agrees with the reader."""
     try:
