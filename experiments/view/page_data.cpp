@@ -127,10 +127,32 @@ void write_directions(formats::JsonWriter& json, const RecordedStructure& struct
     json.end_array();
   }
   json.end_array();
+}
+
+void write_members(formats::JsonWriter& json, const RecordedStructure& structure) {
   if (structure.members.empty()) return;
   json.key("members").begin_array();
   for (std::size_t object = 0; object < structure.members.size(); ++object) {
     if (structure.members[object]) json.number(std::uint64_t{object});
+  }
+  json.end_array();
+}
+
+// The names of the colours, and of each object the place of its own among them or -1.
+void write_colours(formats::JsonWriter& json, const Scene& scene) {
+  std::vector<std::string> names;
+  for (const SceneObject& object : scene.objects) {
+    if (!object.colour.empty()) names.push_back(object.colour);
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  if (names.empty()) return;
+  json.key("colours");
+  write_texts(json, names);
+  json.key("colour_of").begin_array();
+  for (const SceneObject& object : scene.objects) {
+    const auto place = std::lower_bound(names.begin(), names.end(), object.colour);
+    json.number(object.colour.empty() ? -1 : static_cast<int>(place - names.begin()));
   }
   json.end_array();
 }
@@ -141,6 +163,8 @@ void write_structures(formats::JsonWriter& json, const RecordedRun& run, const S
     json.begin_object().key("label").string(structure.label).key("name").string(structure.name);
     json.key("role").string(structure.role);
     if (!structure.directions.empty()) write_directions(json, structure);
+    write_members(json, structure);
+    if (structure.query != kNoObject) json.key("query").number(std::uint64_t{structure.query});
     json.key("shape").string(shape_name(structure.initial.shape));
     json.key("width").number(int{structure.initial.width}).key("key");
     write_key(json, structure, scene);
@@ -148,6 +172,7 @@ void write_structures(formats::JsonWriter& json, const RecordedRun& run, const S
     write_texts(json, structure.kinds);
     json.key("meanings");
     write_texts(json, structure.meanings);
+    json.key("own").number(std::uint64_t{structure.kinds.size() - kCommonEvents});
     json.end_object();
   }
   json.end_array();
@@ -307,6 +332,15 @@ void write_events(formats::JsonWriter& json, const RecordedRun& run, std::size_t
     if (run.events[i].reason.empty()) continue;
     json.key(std::to_string(run.before + i + 1)).string(run.events[i].reason);
   }
+  json.end_object().key("differences").begin_object();
+  for (std::size_t i = 0; i < run.events.size(); ++i) {
+    const RecordedEvent& event = run.events[i];
+    if (event.gone.empty() && event.came.empty()) continue;
+    json.key(std::to_string(run.before + i + 1)).begin_array();
+    write_ids(json, ids(event.gone, event.gone.size()));
+    write_ids(json, ids(event.came, event.came.size()));
+    json.end_array();
+  }
   json.end_object();
 }
 
@@ -375,6 +409,7 @@ std::string page_data(const Scene& scene, const std::string& hash,
     }
     json.end_array();
   }
+  write_colours(json, scene);
   json.end_object();
   json.key("time").begin_object().key("start").begin_array().string(start.to_string());
   write_double(json, start.to_double());

@@ -30,6 +30,7 @@ struct RecordedInstant {
 struct RecordedEvent {
   Event event;              // its `reason` is not set; see below
   std::string reason;       // of a rebuild; otherwise empty
+  std::vector<ObjectId> gone, came;  // Event::gone, Event::came of an external event without a certificate
   std::size_t instant = 0;  // index into RecordedRun::instants
   // The certificate's polynomial under the motions in force, primitive. If it is +1 or -1 times
   // that of the instant, `sign` is that factor and `polynomial` is zero; otherwise `sign` is 0.
@@ -55,9 +56,10 @@ struct RecordedStructure {
   std::string role;  // StructureInfo::role
   std::vector<std::vector<Rational>> directions;  // directions_of() the request
   std::vector<bool> members;  // by object, true for those that it is built from; empty: all
+  ObjectId query = kNoObject;  // the object that it is about; none: it is about no single one
   Key key;
   bool has_key = false;
-  std::vector<std::string> kinds;
+  std::vector<std::string> kinds;        // those that all structures have at the end
   std::vector<std::string> meanings;     // of the kinds, in words
   Attribute initial;                     // before the first recorded event
   std::vector<AttributeChange> changes;  // ascending in `event`

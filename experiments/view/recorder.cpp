@@ -197,6 +197,7 @@ class Recorder final : public EventSink {
       if (info != nullptr) {
         record.role = std::string(info->role);
         record.directions = directions_of(*info, planned.request, scene_.dimension);
+        if (info->query) record.query = planned.request.query == kNoObject ? 0 : planned.request.query;
       }
       record.members = planned.members;
       if (!planned.watches.empty()) record.proof.reads = planned.watches.front();
@@ -237,6 +238,10 @@ class Recorder final : public EventSink {
     RecordedEvent record;
     record.event = as_recorded(event);
     record.reason = std::string(event.reason);
+    if (event.external && event.certificate.arity == 0) {
+      for (const ObjectId id : event.gone) record.gone.push_back(proofs_->recorded(id));
+      for (const ObjectId id : event.came) record.came.push_back(proofs_->recorded(id));
+    }
     if (event.certificate.arity > 0) {
       Polynomial p = polynomial(event.certificate);
       record.stages = stages_->stages(event.certificate);

@@ -46,6 +46,8 @@ function shortText(text, most = 34) {
   if (DATA.polygons) return text.slice(0, 6) + "\u2026" + text.slice(-4);  // there are many of them
   return text.slice(0, half) + "\u2026" + text.slice(-half) + " (" + text.length + " characters)";
 }
+// A number with its noun.
+const counted = (number, noun) => number + " " + noun + (number === 1 ? "" : "s");
 // An element with a text and a class.
 function make(tag, text, name) {
   const element = document.createElement(tag);

@@ -83,7 +83,7 @@ class EventFilter {
   tell() {
     const count = this.found === null ? LAST - BEFORE : this.found.length;
     document.getElementById("matches").textContent =
-      this.found === null ? count + " log records" : count + " of " + (LAST - BEFORE);
+      this.found === null ? counted(count, "log record") : count + " of " + (LAST - BEFORE);
     for (const id of ["match-back", "match-forward"]) document.getElementById(id).disabled = count === 0;
   }
 

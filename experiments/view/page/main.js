@@ -287,14 +287,20 @@ class App {
       legend.append(one, " ");
     };
     entry(BODIES ? "s" + this.index % 6 : "first", structure.label + (OTHER === null ? "" : ", " + FIRST.arithmetic));
+    for (const [sign, tone, text] of this.mode === "plane" && !BODIES ? meaningsOfMarks(this) : []) {
+      const mark = make("b", sign), one = make("span");
+      mark.style.color = tone;
+      one.append(mark, " " + text);
+      legend.append(one, " ");
+    }
     if (OTHER !== null) entry("second", "otherwise in " + OTHER.arithmetic);
     const { proof } = this;
     if (BODIES) {
       entry("failed", "fails next, or contact");
     } else if (proof !== null && proof.live.size > 0) {
       if (this.mode !== "time") {
-        entry("proof", this.mode === "plane" && !this.showsAll()
-          ? proof.live.size + " certificates (C draws all)" : proof.live.size + " certificates");
+        const count = counted(proof.live.size, "certificate");
+        entry("proof", this.mode === "plane" && !this.showsAll() ? count + " (C draws all)" : count);
       }
       entry("next", proof.next(this.k) === null ? "fails next: none of these" : "fails next");
       if (this.selected !== null) entry("selected", "selected");

@@ -24,6 +24,23 @@ function polynomial(coefficients) {
   if (shown === 0) span.append("0");
   return span;
 }
+// The rows of a sequence that a change replaced, and those that it put there; of rows in the same place only the part that differs.
+function changedRows(after, [removed, added, place], length) {
+  const before = [...after];
+  before.splice(place, added.length, ...removed);
+  const cut = ids => Array.from({ length: Math.floor(ids.length / length) }, (_, i) => ids.slice(i * length, (i + 1) * length));
+  const [old, now] = [cut(before), cut(after)], texts = rows => new Set(rows.map(row => row.join()));
+  if (old.length !== now.length) {
+    const [known, kept] = [texts(now), texts(old)];
+    return [old.filter(row => !known.has(row.join())), now.filter(row => !kept.has(row.join()))];
+  }
+  const places = [...old.keys()].filter(i => old[i].join() !== now[i].join());
+  const part = (rows, others) => places.map(i => {
+    const differs = rows[i].map((id, j) => id !== others[i][j]);
+    return length < 5 ? rows[i] : rows[i].slice(differs.indexOf(true), differs.lastIndexOf(true) + 1);
+  });
+  return [part(old, now), part(now, old)];
+}
 const negated = coefficients =>
   coefficients.map(c => (c === "0" ? c : c.startsWith("-") ? c.slice(1) : "-" + c));
 
@@ -65,6 +82,7 @@ class Panel {
     this.proof.style.borderColor = app.selected !== null ? COLOUR.selected : COLOUR.next;
     if (chosen === null) {
       const text = proof.live.size === 0 ? "The structure has no certificates now."
+        : proof.live.size === 1 ? "1 certificate; it does not fail after this."
         : proof.live.size + " certificates; none of them fails after this.";
       this.proof.append(make("p", text));
       return;
@@ -147,7 +165,9 @@ class Panel {
   describeCertificate(run, e, row) {
     const certificate = run.certificates[e];
     if (certificate === 0) {
-      row("certificate", "none: a change of the scene or of the whole proof");
+      const reports = run.k[e] < DATA.structures[run.s[e]].own;
+      row("certificate", reports ? "none of its own: reports what this instant has changed"
+                                 : "none: a change of the scene or of the whole proof");
       return;
     }
     row("certificate", this.certificateText(run, certificate));
@@ -195,15 +215,31 @@ class Panel {
   }
 
   describeChange(run, k, row) {
-    const index = run.s[at(run, k)];
-    const [removed, added] = this.app.replays[index].changeAt(k);
-    if (removed.length + added.length === 0) return;
-    const replay = this.app.replays[index];
-    const shown = ids => (replay.tuples === null ? ids.map(nameOf)
-      : replay.cut(ids).map(tuple => tuple.map(nameOf).join("\u2013")));
-    const short = names => (names.length > 8 ? names.slice(0, 8).join(", ") + ", \u2026 (" +
-      names.length + ")" : names.join(", ")) || "nothing";
-    row("change", short(shown(removed)) + " \u2192 " + short(shown(added)));
+    const index = run.s[at(run, k)], replay = this.app.replays[index];
+    const [of, change] = this.changeAt(run, k);
+    if (change[0].length + change[1].length === 0) return;
+    const length = rowLengthOf(DATA.structures[index], replay.ids);
+    const names = tuple => tuple.map(nameOf).join("\u2013");
+    const shown = ids => (replay.tuples === null ? ids.map(nameOf) : replay.cut(ids).map(names));
+    const [removed, added] = length > 0 && change.length > 2 ? changedRows(replay.ids, change, length).map(rows => rows.map(names))
+                                                             : change.slice(0, 2).map(shown);
+    const short = texts => (texts.length > 8 ? texts.slice(0, 8).join(", ") + ", \u2026 (" +
+      texts.length + ")" : texts.join(", ")) || "nothing";
+    row("change", short(removed) + " \u2192 " + short(added) + of);
+  }
+  // What a log record changed, and words if that is not its own. An external one without a certificate has it in the log, or reports what came
+  // about with the earlier ones of its structure at its instant.
+  changeAt(run, k) {
+    if (run.differences[k]) return ["", run.differences[k]];
+    const e = at(run, k), replay = this.app.replays[run.s[e]];
+    const isReport = run.x[e] === 1 && run.certificates[e] === 0;
+    for (let j = k; j > run.before && run.i[at(run, j)] === run.i[e]; --j) {
+      if (run.s[at(run, j)] !== run.s[e]) continue;
+      const change = replay.changeAt(j);
+      if (change[0].length + change[1].length > 0) return [j === k ? "" : " (at this instant)", change];
+      if (!isReport) break;
+    }
+    return ["", [[], []]];
   }
 
   // The certificates that go and come at the event, in the proof of its structure.

@@ -135,8 +135,8 @@ function spread(low, high, margin) {
   return [low - margin * size, high + margin * size];
 }
 // Scales at the lower and the left edge of a picture of the plane, with the names of the coordinates.
-// `origin`: where (0, 0) is; `pixels`: of one drawn unit. Their labels are taken in `places`.
-function drawScales(context, [left, top, width, height], origin, pixels, places) {
+// `origin`: where (0, 0) is; `pixels`: of one drawn unit, up `steep` times as many. Their labels are taken in `places`.
+function drawScales(context, [left, top, width, height], origin, pixels, places, steep = 1) {
   const unit = DATA.scale, bottom = top + height;
   if (unit === null || !(unit > 0) || !(pixels > 0) || !isFinite(pixels)) return;
   const boxOf = (text, x, y, align) => {
@@ -159,8 +159,8 @@ function drawScales(context, [left, top, width, height], origin, pixels, places)
     });
     if (!touches) write(...number);
   };
-  const x = value => origin[0] + value / unit * pixels, y = value => origin[1] - value / unit * pixels;
-  const across = px => (px - origin[0]) / pixels * unit, up = py => (origin[1] - py) / pixels * unit;
+  const x = value => origin[0] + value / unit * pixels, y = value => origin[1] - value / unit * pixels * steep;
+  const across = px => (px - origin[0]) / pixels * unit, up = py => (origin[1] - py) / (pixels * steep) * unit;
   for (const value of ticks(across(left + 46), across(left + width - 40), width / 110)) {
     context.fillStyle = COLOUR.quiet;
     context.fillRect(x(value) - 0.5, bottom - 5, 1, 5);

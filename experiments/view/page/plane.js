@@ -1,77 +1,6 @@
 // The picture in the plane, or of space in projection (space.js): points, the attribute by its shape (tuples, cycle, object, sequence), and
 // the certificates by their figures.
 
-// The box to show: that of the whole run if it is not much larger than what is there now, else one
-// that slides with the points.
-const WHOLE_RUN = (() => {
-  const box = emptyBox();
-  for (let i = 0; i <= 16; ++i) {
-    place(i / 16);
-    growBox(box);
-  }
-  if (!(box[0] <= box[1])) growByCrossings(box);
-  return box;
-})();
-function emptyBox() { return DRAWN.flatMap(() => [Infinity, -Infinity]); }
-function growBox(box) {
-  const now = emptyBox();
-  growByPoints(now);
-  if (now[0] <= now[1]) growByLines(now);
-  now.forEach((x, i) => { box[i] = i % 2 === 0 ? Math.min(box[i], x) : Math.max(box[i], x); });
-}
-function growByPoints(box) {
-  for (let object = 0; object < OBJECTS; ++object) {
-    if (!alive[object] || IS_LINE[object]) continue;
-    for (const axis of DRAWN) {
-      const half = HALF.length > 0 ? HALF[axis][object] : 0;
-      box[2 * axis] = Math.min(box[2 * axis], X[axis][object] - half);
-      box[2 * axis + 1] = Math.max(box[2 * axis + 1], X[axis][object] + half);
-    }
-  }
-}
-// Around points: as far as the place of every line that is nearest to the middle. Lines much farther away than
-// the points are left out.
-function growByLines(box) {
-  const middle = [(box[0] + box[1]) / 2, (box[2] + box[3]) / 2];
-  const farthest = 4 * Math.max(box[1] - box[0], box[3] - box[2]);
-  for (let line = 0; line < OBJECTS; ++line) {
-    if (!alive[line] || !IS_LINE[line]) continue;
-    const slope = X[0][line], above = y => y - slope * middle[0] - X[1][line];
-    const away = above(middle[1]) / (1 + slope * slope);  // of the foot, along (slope, -1)
-    if (!(Math.abs(away) * Math.hypot(slope, 1) <= farthest)) continue;
-    const foot = [middle[0] + slope * away, middle[1] - away];
-    foot.forEach((x, axis) => {
-      box[2 * axis] = Math.min(box[2 * axis], x);
-      box[2 * axis + 1] = Math.max(box[2 * axis + 1], x);
-    });
-  }
-}
-// The box of most crossings of lines, where there are no points.
-function growByCrossings(box) {
-  const lines = [];
-  for (let object = 0; object < OBJECTS && lines.length < 60; ++object) {
-    if (alive[object] && IS_LINE[object]) lines.push(object);
-  }
-  const xs = [], ys = [];
-  lines.forEach((l, i) => lines.slice(0, i).forEach(m => {
-    const x = (X[1][m] - X[1][l]) / (X[0][l] - X[0][m]);
-    if (isFinite(x)) xs.push(x), ys.push(X[0][l] * x + X[1][l]);
-  }));
-  const between = list => {
-    list.sort((a, b) => a - b);
-    const cut = Math.floor(list.length / 10);
-    return [list[cut], list[list.length - 1 - cut]];
-  };
-  if (xs.length > 0) [box[0], box[1], box[2], box[3]] = [...between(xs), ...between(ys)];
-}
-function boxToShow() {
-  const now = emptyBox();
-  growBox(now);
-  if (!(now[0] <= now[1])) growByCrossings(now);
-  const size = b => Math.max(...DRAWN.map(axis => b[2 * axis + 1] - b[2 * axis]));
-  return size(WHOLE_RUN) <= 1.8 * size(now) || !(now[0] <= now[1]) ? WHOLE_RUN : now;
-}
-
 // What encloses the points reaches beyond their box: the circle around a square by this factor, rectangles mostly by less.
 const ENCLOSING = ["circle", "rectangle", "area_along", "perimeter_along"], BEYOND = Math.SQRT2;
 
@@ -85,14 +14,15 @@ class Plane {
 
   // Screen coordinates of all objects, in this.sx and this.sy; in space how near they are, in this.sz.
   project([left, top, width, height]) {
-    const box = this.box = boxToShow(), [x0, x1, y0, y1] = box;
+    const box = this.box = boxToShow(this.app.certificateObjects()), [x0, x1, y0, y1] = box;
     const room = Math.min(40, width / 8, height / 8);
     this.places = new Places([left, top, left + width, top + height]);
+    this.steep = this.steepness(width - 2 * room, height - 2 * room);
     // In space the ball around the box fits, however it is turned.
     this.reach = this.camera === null ? 0 : Math.hypot(...DRAWN.map(axis => box[2 * axis + 1] - box[2 * axis])) / 2;
     const fitted = this.camera !== null
       ? (Math.min(width, height) - 2 * room) / (2 * this.reach)
-      : Math.min((width - 2 * room) / (x1 - x0), (height - 2 * room) / (y1 - y0)) /
+      : Math.min((width - 2 * room) / (x1 - x0), (height - 2 * room) / (y1 - y0) / this.steep) /
           (ENCLOSING.includes(DATA.structures[this.app.shown()].role) ? BEYOND : 1);
     const scale = this.zoom * (isFinite(fitted) && fitted > 0 ? fitted : 1);
     const cx = this.cx = left + width / 2, cy = this.cy = top + height / 2;
@@ -113,11 +43,18 @@ class Plane {
       const x = IS_LINE[object] ? mx - this.dx / scale : X[0][object];
       const y = IS_LINE[object] ? X[0][object] * x + X[1][object] : X[1][object];
       this.sx[object] = cx + this.dx + (x - mx) * scale;
-      this.sy[object] = cy + this.dy - (y - my) * scale;
+      this.sy[object] = cy + this.dy - (y - my) * scale * this.steep;
     }
   }
+  // How many times as long a unit up is as one to the right: 1, but in scenes with lines, of which only what is above and below
+  // matters, what fills the picture.
+  steepness(width, height) {
+    if (!IS_LINE.includes(1)) return 1;
+    const ratio = height / lengthOf(WHOLE_RUN, 1) / (width / lengthOf(WHOLE_RUN, 0));
+    return ratio > 0.5 && ratio < 2 ? 1 : ratio;
+  }
   // The height on the screen of a line at a place there.
-  heightAt(line, x) { return this.sy[line] - X[0][line] * (x - this.sx[line]); }
+  heightAt(line, x) { return this.sy[line] - X[0][line] * this.steep * (x - this.sx[line]); }
   // A line across the picture.
   across(line) {
     const [left, , width] = this.rectangle;
@@ -154,7 +91,7 @@ class Plane {
   }
   onScreen(x, y) {
     const [mx, my] = this.middle;
-    return [this.cx + this.dx + (x - mx) * this.scale, this.cy + this.dy - (y - my) * this.scale];
+    return [this.cx + this.dx + (x - mx) * this.scale, this.cy + this.dy - (y - my) * this.scale * this.steep];
   }
 
   draw(picture) {
@@ -179,29 +116,12 @@ class Plane {
     drawQuery(context, this);
     this.drawChange(context, marked);
     const radius = OBJECTS > 2000 ? 1.5 : OBJECTS > 300 ? 2.2 : 3.4;
-    this.drawPoints(context, radius);
+    drawMarks(context, this, radius);
     for (const object of marked) {
-      if (alive[object] && !IS_LINE[object]) dot(context, this.sx[object], this.sy[object], radius + 1.6, COLOUR.failed);
+      if (alive[object] && !IS_LINE[object]) drawMarked(context, this, object, radius + 1.6);
     }
     this.drawNames(context, marked);
     context.restore();
-  }
-
-  // Points; those that a triangulation hides are hollow.
-  drawPoints(context, radius) {
-    const { replay } = this.app;
-    context.fillStyle = context.strokeStyle = COLOUR.point;
-    context.lineWidth = 1;
-    for (const hidden of [false, true]) {
-      context.beginPath();
-      for (let object = 0; object < OBJECTS; ++object) {
-        if (!alive[object] || IS_LINE[object] || replay.isHidden(object) !== hidden) continue;
-        const own = radius * (1 + 0.45 * (this.sz[object] / this.reach || 0));  // near points are larger
-        context.moveTo(this.sx[object] + own, this.sy[object]);
-        context.arc(this.sx[object], this.sy[object], own, 0, 2 * Math.PI);
-      }
-      if (hidden) context.stroke(); else context.fill();
-    }
   }
 
   drawAxes(context) {
@@ -210,8 +130,8 @@ class Plane {
       return;
     }
     const [mx, my] = this.middle;
-    const origin = [this.cx + this.dx - mx * this.scale, this.cy + this.dy + my * this.scale];
-    drawScales(context, this.rectangle, origin, this.scale, this.places);
+    const origin = [this.cx + this.dx - mx * this.scale, this.cy + this.dy + my * this.scale * this.steep];
+    drawScales(context, this.rectangle, origin, this.scale, this.places, this.steep);
   }
 
   // The outlines of discs and boxes.
@@ -240,7 +160,7 @@ class Plane {
       context.stroke();
     };
     for (let object = 0; object < OBJECTS; ++object) {
-      if (alive[object]) outline(object, COLOUR.point, OBJECTS > 300 ? 0.5 : 1);
+      if (alive[object]) outline(object, toneOf(object), OBJECTS > 300 ? 0.5 : 1);
     }
     for (const object of marked) {
       if (object < OBJECTS && alive[object]) outline(object, COLOUR.failed, 1.6);
@@ -282,7 +202,15 @@ class Plane {
 
   drawAttribute(context) {
     const { replay, other } = this.app;
-    const outlineOf = OUTLINES[DATA.structures[this.app.shown()].role];
+    const structure = DATA.structures[this.app.shown()];
+    if (isStar(structure)) {
+      if (!replay.lost) drawCell(context, this, structure.query, replay.ids, COLOUR.first, []);
+      if (other !== null && !other.lost && other.ids.join() !== replay.ids.join()) {
+        drawCell(context, this, structure.query, other.ids, COLOUR.second, [6, 4]);
+      }
+      return;
+    }
+    const outlineOf = OUTLINES[structure.role];
     if (outlineOf !== undefined) {
       if (!replay.lost) drawOutline(context, outlineOf(this, replay.row), COLOUR.first, []);
       if (other !== null && !other.lost && other.row.join() !== replay.row.join()) {

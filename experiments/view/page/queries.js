@@ -49,7 +49,7 @@ function drawQuery(context, plane) {
   context.strokeRect(left, top, right - left, bottom - top);
   const [, ids, nodes] = answer || [null, [], []];
   const count = kind => nodes.filter(node => node[0] === kind).length;
-  const text = "query at t = " + shortText(query.at) + ": " + ids.length + " points; nodes: " +
+  const text = "query at t = " + shortText(query.at) + ": " + counted(ids.length, "point") + "; nodes: " +
     count(1) + " crossed, " + count(2) + " inside, " + count(0) + " outside";
   const [areaLeft, areaTop] = plane.rectangle;
   label(context, text, areaLeft + 40, areaTop + 12, COLOUR.text);
@@ -232,6 +232,12 @@ const OUTLINES = {
     return shapes;
   },
 };
+
+// Of sequences that are rows of so many objects: the length of a row.
+const ROWS = { next_lines: 3, walls: 4 };
+function rowLengthOf({ shape, role }, ids) {
+  return shape === "orders" ? Math.floor(Math.sqrt(ids.length)) : ROWS[role] || 0;
+}
 
 function drawOutline(context, corners, colour, dash) {
   if (corners.length === 0) return;

@@ -71,15 +71,17 @@ class Replay {
 
   get lost() { return this.corrupt !== null && this.event >= this.corrupt[0]; }
 
-  // What event k itself changed: [removed ids, added ids].
+  // What event k itself changed: [removed ids, added ids, their place].
   changeAt(k) {
     const removed = [], added = [];
+    let place = 0;
     for (let i = this.applied - 1; i >= 0 && this.changes[i][0] >= k; --i) {
       if (this.changes[i][0] > k) continue;
+      place = this.changes[i][1];
       removed.push(...this.changes[i][2]);
       added.push(...this.changes[i][3]);
     }
-    return [removed, added];
+    return [removed, added, place];
   }
 
   // The object that is the value after event k: for the pieces of an envelope.

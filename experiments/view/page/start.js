@@ -11,9 +11,9 @@ function describePage() {
   const scene = DATA.scene;
   const count = LAST - BEFORE;
   document.getElementById("name").textContent = scene.name;
-  const run = r => r.arithmetic + ", " + r.u.length + (r.u.length === 1 ? " log record" : " log records") +
+  const run = r => r.arithmetic + ", " + counted(r.u.length, "log record") +
     (r.stopped ? " (not all: " + r.stopped + ")" : "");
-  let facts = OBJECTS + " objects in " + AXES + "-D \u00b7 " + run(FIRST);
+  let facts = counted(OBJECTS, "object") + " in " + AXES + "-D \u00b7 " + run(FIRST);
   if (OTHER !== null) facts += " \u00b7 " + run(OTHER);
   if (BEFORE > 0) facts += " \u00b7 from t = " + DATA.time.start[0] + ", log record " + (BEFORE + 1);
   if (AXES > 2) document.querySelector("#drawing option[value=plane]").textContent = "in space";

@@ -1,0 +1,136 @@
+// The box of coordinates that a picture of the plane or of space shows: [least, largest] of each axis in a row.
+const emptyBox = () => DRAWN.flatMap(() => [Infinity, -Infinity]);
+const lengthOf = (box, axis) => box[2 * axis + 1] - box[2 * axis];
+const sizeOfBox = box => Math.max(...DRAWN.map(axis => lengthOf(box, axis)));
+function joinTo(box, point) {
+  point.forEach((x, axis) => {
+    box[2 * axis] = Math.min(box[2 * axis], x);
+    box[2 * axis + 1] = Math.max(box[2 * axis + 1], x);
+  });
+}
+const linesThere = () => [...alive.keys()].filter(object => alive[object] && IS_LINE[object]);
+const heightOf = (line, x) => X[0][line] * x + X[1][line];
+function crossingOf(l, m) {
+  const x = (X[1][m] - X[1][l]) / (X[0][l] - X[0][m]);
+  return isFinite(x) ? [x, heightOf(l, x)] : null;
+}
+
+function growByPoints(box) {
+  for (let object = 0; object < OBJECTS; ++object) {
+    if (!alive[object] || IS_LINE[object]) continue;
+    for (const axis of DRAWN) {
+      const half = HALF.length > 0 ? HALF[axis][object] : 0;
+      box[2 * axis] = Math.min(box[2 * axis], X[axis][object] - half);
+      box[2 * axis + 1] = Math.max(box[2 * axis + 1], X[axis][object] + half);
+    }
+  }
+}
+
+// ---- scenes with lines
+const MOST_LINES = 60;  // of whose pairs the crossings are looked at
+// Where the lines cross now, and where they are above or below the points.
+function placesOfLines(crossings, feet) {
+  const lines = linesThere().slice(0, MOST_LINES);
+  lines.forEach((l, i) => lines.slice(0, i).forEach(m => {
+    const crossing = crossingOf(l, m);
+    if (crossing !== null) crossings.push(crossing);
+  }));
+  for (let point = 0; point < Math.min(OBJECTS, 400); ++point) {
+    if (!alive[point] || IS_LINE[point]) continue;
+    for (const line of lines) feet.push([X[0][point], heightOf(line, X[0][point])]);
+  }
+}
+// The numbers that are not far from the middle half of them: [least, largest].
+function mostOf(numbers) {
+  const sorted = [...numbers].sort((a, b) => a - b), last = sorted.length - 1;
+  const [low, high] = [sorted[Math.floor(last / 4)], sorted[Math.ceil(last * 3 / 4)]];
+  const near = sorted.filter(x => x >= low - 0.8 * (high - low) && x <= high + 0.8 * (high - low));
+  return [near[0], near[near.length - 1]];
+}
+// A length on an axis where nothing else gives one.
+const lengthAbout = x => Math.max(Math.abs(x) / 2, 1 / DATA.scale);
+// All points, most crossings, and most places of lines above and below points: crossings that are much farther away than the
+// points reach are left out.
+function boxOfLines(points, crossings, feet) {
+  const box = [...points], hasPoints = points[0] <= points[1];
+  const most = list => [0, 1].flatMap(axis => mostOf(list.map(place => place[axis])));
+  if (hasPoints && feet.length > 0) {
+    const [, , low, high] = most(feet);
+    box[2] = Math.min(box[2], low);
+    box[3] = Math.max(box[3], high);
+  }
+  if (crossings.length > 0) {
+    const own = most(crossings), size = hasPoints ? sizeOfBox(box) : Infinity;
+    own.forEach((x, i) => {
+      if (i % 2 === 0) box[i] = Math.min(box[i], hasPoints ? Math.max(x, box[i] - size) : x);
+      else box[i] = Math.max(box[i], hasPoints ? Math.min(x, box[i] + size) : x);
+    });
+  }
+  if (!(box[0] <= box[1])) box[0] = box[1] = 0;
+  if (!(box[2] <= box[3])) [box[2], box[3]] = mostOf([0, ...linesThere().map(line => X[1][line])]);
+  for (const axis of [0, 1]) {
+    if (box[2 * axis + 1] - box[2 * axis] > 1e-9 * Math.abs(box[2 * axis])) continue;
+    const other = box[3 - 2 * axis] - box[2 - 2 * axis];
+    const half = (other > 0 ? other : lengthAbout(box[2 * axis])) / 2;
+    box[2 * axis] -= half;
+    box[2 * axis + 1] += half;
+  }
+  return box;
+}
+// Higher, so that these lines are in sight, but at most so many times as high.
+function growByLines(box, lines, most) {
+  const [x0, x1, y0, y1] = box, room = (most - 1) / 2 * (y1 - y0), inside = 0.04 * (y1 - y0);
+  for (const line of lines) {
+    const ends = [heightOf(line, x0), heightOf(line, x1)], low = Math.min(...ends), high = Math.max(...ends);
+    if (low > y1 - inside && low <= y1 + room) box[3] = Math.max(box[3], low + inside);
+    if (high < y0 + inside && high >= y0 - room) box[2] = Math.min(box[2], high - inside);
+  }
+}
+// So that the crossings of these lines are in sight, but at most so many times as large.
+function growByCrossings(box, lines, most) {
+  const [x0, x1, y0, y1] = box, wide = (most - 1) / 2 * (x1 - x0), high = (most - 1) / 2 * (y1 - y0);
+  lines.forEach((l, i) => lines.slice(0, i).forEach(m => {
+    const crossing = crossingOf(l, m);
+    if (crossing === null) return;
+    const [x, y] = crossing;
+    if (x >= x0 - wide && x <= x1 + wide && y >= y0 - high && y <= y1 + high) joinTo(box, crossing);
+  }));
+}
+
+// The box of the whole run.
+const WHOLE_RUN = (() => {
+  const box = emptyBox(), crossings = [], feet = [], steps = 16;
+  for (let i = 0; i <= steps; ++i) {
+    place(i / steps);
+    growByPoints(box);
+    if (IS_LINE.includes(1)) placesOfLines(crossings, feet);
+  }
+  return IS_LINE.includes(1) ? boxOfLines(box, crossings, feet) : box;
+})();
+// The box of what is there now; with lines of an eighth of the run around now, as many may meet in one place.
+function boxOfNow() {
+  const box = emptyBox(), crossings = [], feet = [], now = placedAt;
+  growByPoints(box);
+  if (!IS_LINE.includes(1)) return box;
+  for (let i = -2; i <= 2; ++i) {
+    place(Math.max(0, Math.min(1, now + i / 32)));
+    growByPoints(box);
+    placesOfLines(crossings, feet);
+  }
+  place(now);
+  return boxOfLines(box, crossings, feet);
+}
+// That of the whole run if it is not much larger than what is there now, else one that slides with the points; with lines those of
+// the last log record and their crossings, too.
+function boxToShow(marked) {
+  const now = boxOfNow(), lines = IS_LINE.includes(1);
+  const larger = lines ? Math.max(...DRAWN.map(axis => lengthOf(WHOLE_RUN, axis) / lengthOf(now, axis))) / 10
+                       : sizeOfBox(WHOLE_RUN) / (1.8 * sizeOfBox(now));
+  const box = larger <= 1 || !(now[0] <= now[1]) ? [...WHOLE_RUN] : now;
+  if (!lines) return box;
+  const shown = marked.filter(object => alive[object] && IS_LINE[object]);
+  growByLines(box, linesThere(), 2);
+  growByLines(box, shown, 6);
+  growByCrossings(box, shown, 6);
+  return box;
+}
