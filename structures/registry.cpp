@@ -120,8 +120,9 @@ std::optional<Refusal> refusal_of(const StructureInfo& info, const Scene& scene)
                        (info.bodies ? "points" : "rigid bodies") + " (kinex list structures)"};
   }
   const auto has_ends = [](const SceneObject& object) { return !object.ends.empty(); };
-  if (info.graph && !std::all_of(scene.objects.begin(), scene.objects.end(), has_ends)) {
-    return Refusal{"is for edges of a graph, the scene has objects without ends",
+  const auto bare = std::find_if_not(scene.objects.begin(), scene.objects.end(), has_ends);
+  if (info.graph && bare != scene.objects.end()) {
+    return Refusal{"is for edges of a graph, object " + show_text(bare->id) + " has no ends",
                    "give every object \"ends\": [VERTEX, VERTEX], or maintain something else"};
   }
   if (info.weights && scene.extents == Extents::kHalfExtents) {
@@ -232,11 +233,15 @@ std::optional<Refusal> refusal_of_over(const StructureInfo& info, const Request&
   const StructureInfo* there = find_structure_info(over.structure);
   if (there != nullptr && there->role == reading->role) return std::nullopt;
   std::string names;
+  int count = 0;
   for (const StructureInfo& other : structure_infos()) {
-    if (other.role == reading->role) names += (names.empty() ? "" : ", ") + std::string(other.name);
+    if (other.role != reading->role) continue;
+    names += (names.empty() ? "" : ", ") + std::string(other.name);
+    ++count;
   }
   return Refusal{"cannot read \"" + over.structure + "\"",
-                 "it reads a " + std::string(reading->role) + ": one of " + names};
+                 "it reads a structure with the role " + std::string(reading->role) + ": " +
+                     (count > 1 ? "one of " : "") + names};
 }
 
 std::optional<Refusal> refusal_of_objects(const StructureInfo& info, const Request& request,

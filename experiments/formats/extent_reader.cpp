@@ -103,7 +103,7 @@ void check_kind_of_extents(const JsonNode& object, const Scene& scene) {
     }
     if (scene.extents != kind) {
       node->fail(what + " in a scene of objects with " + quoted(scene.extents),
-                 "give every object the same of the two");
+                 "give all objects \"radius\", or all \"half_extents\"");
     }
   }
   if (scene.extents == Extents::kNone) return;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/numbers/rational.h"
 #include "core/numbers/show_text.h"
 
 namespace kinex::formats {
@@ -32,6 +33,10 @@ JsonDefect not_allowed(std::string_view text, std::size_t offset, std::size_t le
 
 JsonDefect ends_early(std::string_view text) {
   if (text.empty()) return {0, "the file is empty", "complete it to one JSON value"};
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    return {text.size(), kEndsEarly + std::string(": it holds only white space"),
+            "complete it to one JSON value"};
+  }
   const std::string_view tail = text.substr(text.size() - std::min<std::size_t>(16, text.size()));
   return {text.size(), kEndsEarly + (", after " + show_text(tail)),
           "complete it to one JSON value"};
@@ -121,8 +126,10 @@ JsonDefect surrogate_defect(std::string_view text, std::size_t offset) {
 }
 
 JsonDefect range_defect(std::string_view text, std::size_t offset) {
+  const std::string most = std::to_string(Rational::kMaxExponent);
   return {offset, show_text(word_at(text, offset)) + " is beyond the range of a bare JSON number",
-          "put it in double quotes; then it is read exactly"};
+          "put it in double quotes; then it is read exactly, with an exponent from -" + most +
+              " to " + most};
 }
 
 TextPosition position_in(std::string_view text, std::size_t offset) {

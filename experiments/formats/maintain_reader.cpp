@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,6 +58,16 @@ std::optional<Refusal> complaint_about(const std::string& name, const Scene& sce
   }
   if (refusal) refusal->problem = show_text(name) + " " + refusal->problem;
   return refusal;
+}
+
+// What "NAME:AXIS", which --maintain takes, is in a scene; empty if `text` is no such entry.
+std::string spelled_out(std::string_view text, const Scene& scene) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return {};
+  const StructureInfo* const info = find_structure_info(text.substr(0, colon));
+  const std::string axis(text.substr(colon + 1));
+  if (info == nullptr || !info->uses_key || !axis_of(axis, scene.dimension)) return {};
+  return "{\"structure\": \"" + std::string(info->name) + "\", \"key\": \"" + axis + "\"}";
 }
 
 bool label_is_taken(const Scene& scene, std::string_view label) {
@@ -224,6 +235,45 @@ void read_object_sets(const JsonNode& node, const StructureInfo& info, const Sce
   }
 }
 
+// The members of an entry that suit the structure.
+std::vector<std::string_view> members_of(const StructureInfo& info) {
+  std::vector<std::string_view> members{"structure", "as"};
+  if (!info.bodies && !info.colours) members.emplace_back("of");
+  if (info.uses_key) members.emplace_back("key");
+  if (reading_of_choice(info) != nullptr) members.emplace_back("over");
+  if (info.query) members.emplace_back("query");
+  if (info.colours) members.emplace_back("colours");
+  for (const ParameterInfo& parameter : info.parameters) members.push_back(parameter.name);
+  return members;
+}
+
+// Refuses members that no structure has, and parameters of others.
+void check_members(const JsonNode& node, const StructureInfo& info) {
+  const std::vector<std::string_view> suiting = members_of(info);
+  std::string all;
+  for (const std::string_view one : suiting)
+    all += (all.empty() ? "\"" : ", \"") + std::string(one) + "\"";
+  const Reading* const reading = reading_of_choice(info);
+  const std::span<const JsonValue> keys = node.value().keys();
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const std::string_view key = keys[i].text();
+    if (key == "of" || key == "key" || key == "over" || key == "query" || key == "colours")
+      continue;
+    if (std::find(suiting.begin(), suiting.end(), key) != suiting.end()) continue;
+    std::string remedy = did_you_mean(key, {suiting.begin(), suiting.end()}, "known are " + all);
+    const StructureInfo* const read =
+        reading == nullptr ? nullptr : find_structure_info(reading->structure);
+    if (read != nullptr &&
+        std::any_of(read->parameters.begin(), read->parameters.end(),
+                    [key](const ParameterInfo& one) { return one.name == key; })) {
+      remedy = "it is a parameter of " + std::string(read->name) +
+               ", which this structure reads: write \"over\": {\"structure\": \"" +
+               std::string(read->name) + "\", \"" + std::string(key) + "\": ..}";
+    }
+    node.at(i).fail(show_text(key) + " is not a known field", remedy);
+  }
+}
+
 Request read_request(const JsonNode& node, const Scene& scene);
 
 // The structure to be read in place of the usual one, if it is another one.
@@ -256,15 +306,13 @@ Request read_request(const JsonNode& node, const Scene& scene) {
   const JsonNode name = plain ? node : node.member("structure");
   request.structure = name.string();
   if (const auto complaint = complaint_about(request.structure, scene)) {
+    const std::string entry = spelled_out(request.structure, scene);
+    if (!entry.empty()) name.fail(complaint->problem, "in a scene write " + entry);
     name.fail(complaint->problem, complaint->remedy);
   }
   request.label = request.structure;
   if (!plain) {
-    std::vector<std::string_view> known{"structure", "key", "over", "as", "of", "query", "colours"};
-    for (const ParameterInfo& parameter : find_structure_info(request.structure)->parameters) {
-      known.push_back(parameter.name);
-    }
-    node.require_object(known);
+    check_members(node, *find_structure_info(request.structure));
     if (const auto key = node.find("key")) {
       if (!find_structure_info(request.structure)->uses_key) {
         key->fail(show_text(request.structure) + " takes no key", "remove it");

@@ -28,6 +28,12 @@ constexpr const char* kMotionRemedy =
 
 std::vector<Rational> read_coefficients(const JsonNode& list, int max_degree,
                                         std::string_view what) {
+  if (list.is(JsonValue::Kind::kNumber)) {
+    const std::string number = shown(list.value());
+    list.refuse("an array", what == kMotion
+                                ? kMotionRemedy
+                                : "write the coefficient list [" + number + "], low degree first");
+  }
   list.require_array();
   if (list.size() == 0)
     list.fail("an empty coefficient list", what == kMotion ? "write [0] for a coordinate that is 0"

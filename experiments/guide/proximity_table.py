@@ -44,6 +44,19 @@ def provenance(kinex, folder):
             "One core.")
 
 
+def without_rates_of_nothing(rows):
+    """The rows of a table, with "-" for the events per change where there are no changes."""
+    names = rows[0].split(" | ")
+    rate, changes = names.index("events per change"), names.index("changes")
+    result = []
+    for row in rows:
+        cells = row.split(" | ")
+        if cells[changes] == "0.0":
+            cells[rate] = "-"
+        result.append(" | ".join(cells))
+    return result
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
@@ -56,7 +69,7 @@ def main():
         made = provenance(build / "kinex", folder)
         ran([build / "bench/kinex_proximity", "--markdown", folder / "table.md"])
         rows = [line for line in (folder / "table.md").read_text().split("\n") if line.startswith("|")]
-    text = f"\nMade by `python3 experiments/guide/proximity_table.py FOLDER`, {made}\n\n" + "\n".join(rows) + "\n\n"
+    text = f"\nMade by `python3 experiments/guide/proximity_table.py FOLDER`, {made}\n\n" + "\n".join(without_rates_of_nothing(rows)) + "\n\n"
     PAGE.write_text(TABLE.sub(lambda found: found.group(1) + text + found.group(2), page))
 
 

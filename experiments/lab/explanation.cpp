@@ -207,6 +207,19 @@ ExampleScene example_scene(const StructureInfo& structure) {
   return {};
 }
 
+namespace {
+
+// True if the structure refuses its example without an end.
+bool needs_an_end(const StructureInfo& info, const ExampleScene& example) {
+  if (example.workload == nullptr) return false;
+  Scene scene = generate_scene(example.workload->name, example.parameters, info.name);
+  if (!scene.end) return false;
+  scene.end.reset();
+  return refusal_of(info, scene).has_value();
+}
+
+}  // namespace
+
 Explanation explain(const StructureInfo& info) {
   const std::string name(info.name);
   Explanation result{name, std::string(info.summary), {}};
@@ -217,7 +230,10 @@ Explanation explain(const StructureInfo& info) {
     return line.empty() ? Lines{} : Lines{std::string(line)};
   };
   add("maintains", {attribute_in_words(info)});
-  add("for", {domain_in_words(info)});
+  const ExampleScene example = example_scene(info);
+  std::string domain = domain_in_words(info);
+  if (needs_an_end(info, example)) domain += "; scenes with an \"end\" only";
+  add("for", {std::move(domain)});
   if (info.uses_key)
     add("key", {"x (default), y, z, a direction, or the squared distance to an object"});
   if (info.query) {
@@ -233,7 +249,6 @@ Explanation explain(const StructureInfo& info) {
       {std::string(family_of(info.name)) +
        (info.group.empty() ? "" : "; one of the structures for " + std::string(info.group))});
   add("certificates", text(info.certificates));
-  const ExampleScene example = example_scene(info);
   Lines bounds;
   if (example.workload != nullptr) {
     const Scene scene = generate_scene(example.workload->name, example.parameters, info.name);

@@ -115,13 +115,15 @@ Lines readings_in_words(const StructureInfo& info) {
     if (reading.axis) line += std::string(" by ") + "xyz"[*reading.axis];
     const std::string in_space = usual_structure(reading, 3);
     if (info.any_dimension && in_space != reading.structure) line += ", in space " + in_space;
-    if (!reading.role.empty()) {
-      line += ", or another " + std::string(reading.role) + " that \"over\" names:";
-      for (const StructureInfo& other : structure_infos()) {
-        if (other.role == reading.role && other.name != reading.structure) {
-          line += " " + std::string(other.name);
-        }
+    std::string others;
+    for (const StructureInfo& other : structure_infos()) {
+      if (!reading.role.empty() && other.role == reading.role && other.name != reading.structure) {
+        others += " " + std::string(other.name);
       }
+    }
+    if (!others.empty()) {
+      line += ", or another structure with the role " + std::string(reading.role) +
+              " that \"over\" names:" + others;
     }
     if (reading.passes_over) line += "; \"over\" names what that one reads";
     lines.push_back(std::move(line));

@@ -15,6 +15,8 @@
 #include "experiments/formats/canonical_json.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/lab/scene_run.h"
+#include "experiments/lab/workload.h"
+#include "structures/registry.h"
 
 namespace kinex::sweep {
 
@@ -22,6 +24,7 @@ namespace {
 
 constexpr int kMostInt = std::numeric_limits<int>::max();
 constexpr int kMostAxes = 3;
+constexpr int kFew = 8;  // objects of a scene that is tried
 
 // One value of an axis: its effect on a cell, and its place in the file.
 struct Choice {
@@ -67,6 +70,60 @@ std::string read_structure(const formats::JsonNode& node) {
                 "maintained in one run");
   }
   return std::string(node.string());
+}
+
+// Of the structure that an error of set_maintain names first; nullptr: of none.
+const StructureInfo* named_first(const std::string& problem) {
+  if (problem.empty() || problem.front() != '"') return nullptr;
+  return find_structure_info(problem.substr(1, problem.find('"', 1) - 1));
+}
+
+// A workload whose scenes the structure takes: "uniform-square"; empty: there is none.
+std::string workload_for(const StructureInfo& info) {
+  for (const lab::Workload& workload : lab::workloads()) {
+    lab::WorkloadParameters few;
+    few.n = std::max(kFew, workload.min_n);
+    few.dimension = info.any_dimension ? std::max(info.min_dimension, workload.default_dimension)
+                                       : info.min_dimension;
+    few.dimension = std::clamp(few.dimension, workload.min_dimension, workload.max_dimension);
+    try {
+      if (refusal_of(info, lab::generate_scene(workload, few))) continue;
+    } catch (const formats::InputError&) {
+      continue;  // it cannot be of this size
+    }
+    return std::string(workload.name) +
+           (few.dimension == workload.default_dimension
+                ? ""
+                : " with \"dimension\": " + std::to_string(few.dimension));
+  }
+  return {};
+}
+
+// What suits a plan, which has workloads and no scenes, where a structure refuses the scene of a cell.
+formats::InputError in_a_plan(const formats::InputError& error, const RunCell& cell) {
+  const StructureInfo* const info = named_first(error.problem());
+  if (info == nullptr) return error;
+  const lab::Workload& workload = *lab::find_workload(cell.workload);
+  const Scene scene = lab::generate_scene(workload, cell.parameters);
+  if (!refusal_of(*info, scene) || scene.degree() > info->largest_degree) return error;
+  std::string problem = error.problem();
+  const std::string_view here = ", the scene has";
+  if (const std::size_t at = problem.find(here); at != std::string::npos) {
+    problem.replace(at, here.size(), ", a scene of " + cell.workload + " has");
+  } else {
+    problem += " in a scene of " + cell.workload;
+  }
+  lab::WorkloadParameters there = cell.parameters;
+  there.dimension = info->min_dimension;
+  if (workload.min_dimension <= there.dimension && there.dimension <= workload.max_dimension &&
+      !refusal_of(*info, lab::generate_scene(workload, there))) {
+    return {error.file(), error.place(), problem,
+            "write \"dimension\": " + std::to_string(there.dimension)};
+  }
+  const std::string other = workload_for(*info);
+  return {error.file(), error.place(), problem,
+          other.empty() ? "name another structure; no workload makes such scenes"
+                        : "name another structure, or another workload, as " + other};
 }
 
 class BlockReader {
@@ -264,8 +321,8 @@ class BlockReader {
       lab::arithmetic_option(example.cell.arithmetic, scene);
     } catch (const formats::InputError& error) {
       std::string option = error.place().empty() ? error.file() : error.place();
-      if (error.file() == "--maintain") option = "structure";
-      fail(error, std::move(option), example.at);
+      if (error.file() != "--maintain") fail(error, std::move(option), example.at);
+      fail(in_a_plan(error, example.cell), "structure", example.at);
     }
   }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 #include "experiments/formats/counted.h"
 #include "experiments/trade/standings.h"
@@ -141,6 +142,27 @@ std::string table_row(const BitsGrowth& growth) {
   return text + "\n";
 }
 
+namespace {
+
+// "3 scenes", or "3 structures of 1 scene" where a file has several.
+std::string cases_text(const TradeResult& result) {
+  std::set<std::string> files;
+  std::size_t made = 0;
+  for (const CaseResult& one : result.cases) {
+    if (one.which.given == nullptr) {
+      ++made;
+    } else {
+      files.insert(one.which.name);
+    }
+  }
+  const std::size_t scenes = made + files.size();
+  const std::string text = formats::counted(scenes, "scene", "scenes");
+  if (scenes == result.cases.size()) return text;
+  return formats::counted(result.cases.size(), "structure", "structures") + " of " + text;
+}
+
+}  // namespace
+
 std::string verdict_line(const TradeResult& result, const lab::TimeTaken& taken) {
   std::string always, sometimes;
   for (const ArithmeticStandings& one : standings_of(result)) {
@@ -152,10 +174,9 @@ std::string verdict_line(const TradeResult& result, const lab::TimeTaken& taken)
           fmt::format("{}{} in {}", sometimes.empty() ? "; " : ", ", one.arithmetic, right);
     }
   }
-  std::string text = fmt::format("{}: {} right in {}{}",
-                                 formats::counted(result.cases.size(), "scene", "scenes"),
-                                 always.empty() ? "none" : always,
-                                 result.cases.size() == 1 ? "it" : "all of them", sometimes);
+  std::string text =
+      fmt::format("{}: {} right in {}{}", cases_text(result), always.empty() ? "none" : always,
+                  result.cases.size() == 1 ? "it" : "all of them", sometimes);
   const std::size_t faults = result.faults().size();
   if (faults > 0) text += "; " + formats::counted(faults, "fault", "faults");
   if (result.interrupted) text += "; interrupted";
@@ -164,8 +185,7 @@ std::string verdict_line(const TradeResult& result, const lab::TimeTaken& taken)
 
 std::string closing_lines(const TradeResult& result) {
   std::string text =
-      fmt::format("{}; same events / other events, valid / wrong:\n",
-                  formats::counted(result.cases.size(), "scene", "scenes"));
+      fmt::format("{}; same events / other events, valid / wrong:\n", cases_text(result));
   for (const ArithmeticStandings& one : standings_of(result)) {
     text += fmt::format("  {:<10} {:>3} / {} / {}\n", one.arithmetic, one.cases[0], one.cases[1],
                         one.cases[2]);

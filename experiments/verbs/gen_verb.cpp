@@ -168,6 +168,11 @@ void add_gen_verb(CLI::App& app, int&) {
   verb->add_option("--separation", options->separation, "Distance between two bodies");
   verb->add_option("--turns", options->turns, "Full turns of one body around another (1)");
   add_maintain_option(*verb, options->maintain, "What to maintain");
+  CLI::Option* const maintain = verb->get_option("--maintain");
+  maintain->description(
+      maintain->get_description() +
+      ". Points get what a structure needs: radii, half extents, weights, ends of "
+      "edges (on one axis), or \"line\" (each or every second one)");
   verb->add_option("--name", options->name, "Name of the scene");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");

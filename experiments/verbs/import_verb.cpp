@@ -131,6 +131,19 @@ formats::ImportReport import_json(const std::string& text, const ImportVerbOptio
   return formats::import_moving_features(text, options.file, features);
 }
 
+// An end is given by an option here, not by the scene.
+void maintain_all(Scene& scene, const std::vector<std::string>& maintain) {
+  try {
+    formats::set_maintain(scene, maintain);
+  } catch (const formats::InputError& error) {
+    if (scene.end || !error.problem().ends_with("the scene has no end")) throw;
+    const std::size_t others = error.remedy().find(", or maintain");
+    throw formats::InputError(
+        error.file(), error.place(), error.problem(),
+        "give --end T" + (others == std::string::npos ? "" : error.remedy().substr(others)));
+  }
+}
+
 void import_file(const ImportVerbOptions& options, const Voice& voice) {
   keep_input("--output", options.output, options.file);
   formats::ImportOptions import_options = read_options(options);
@@ -150,7 +163,7 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
   }
   std::vector<std::string> maintain = options.maintain;
   if (maintain.empty()) maintain = {structure_for(scene)};
-  if (!report.maintains) formats::set_maintain(scene, maintain);
+  if (!report.maintains) maintain_all(scene, maintain);
   write_result(options.output, options.force, formats::write_scene(scene, report.words));
   const bool features = formats::looks_like_json(text);
   voice.note(

@@ -164,7 +164,8 @@ void list(const ListOptions& options, const Voice& voice) {
   if (!structures && of_structures != nullptr) {
     names_of(options.what, "");  // what is no list is named first
     throw formats::InputError(of_structures, "", "is for structures, not for " + options.what,
-                              "write kinex list structures " + std::string(of_structures));
+                              "write kinex list structures " + std::string(of_structures) +
+                                  (options.family.empty() ? "" : " " + options.family));
   }
   if (!options.family.empty()) check_family(options.family);
   if (options.schema) {

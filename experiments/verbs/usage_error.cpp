@@ -10,6 +10,7 @@
 
 #include "core/numbers/near_names.h"
 #include "core/numbers/show_text.h"
+#include "experiments/lab/workload.h"
 #include "structures/registry.h"
 
 namespace kinex::verbs {
@@ -225,9 +226,11 @@ std::string conversion_problem(const CLI::App& app, const std::string& message) 
   const std::string name = message.substr(colon + 2, equals - colon - 2);
   const CLI::Option* const option = verb.get_option_no_throw(name);
   const bool real = option != nullptr && option->get_type_name() == "FLOAT";
+  const bool size = name == "--n" || name == "--m";
   return name + ": " + show_text(message.substr(equals + 3)) +
          (real ? " is not a number; write one, as 2.5"
-               : " is not a whole number that fits; write one, as 100");
+               : " is not a whole number that fits; write one" +
+                     (size ? " from 1 to " + std::to_string(lab::kMaxWorkloadSize) : ", as 100"));
 }
 
 // "NAME: 1 required TYPE missing"

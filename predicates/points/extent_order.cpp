@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "core/arithmetic/predicate_formula.h"
@@ -31,6 +32,7 @@ struct ExtentOrder {
 
   std::vector<std::vector<FormulaConstant>> weights;  // of all arguments but the first
   std::array<std::uint8_t, 4> places{};                // the argument that is each of the four ends
+  std::string says;
 
   // Logs tell the number of arguments by the name.
   std::string_view name() const {
@@ -49,12 +51,7 @@ struct ExtentOrder {
                       });
   }
   ClaimForm form() const {
-    return {ClaimFigure::kExtents, 1, std::span(kRoles).first(Arity), says(), {}, places};
-  }
-  static constexpr std::string_view says() {
-    if constexpr (Arity == 2) return "{0} and {1} are ends of two extents in order";
-    if constexpr (Arity == 3) return "{0}, {1} and {2} are ends of two extents in order";
-    return "{0}, {1}, {2} and {3} are ends of two extents in order";
+    return {ClaimFigure::kExtents, 1, std::span(kRoles).first(Arity), says, {}, places};
   }
 
   template <class Points>
@@ -82,6 +79,9 @@ std::shared_ptr<const Predicate> make(const std::vector<std::vector<Rational>>& 
   for (std::size_t i = 0; i < 4; ++i) {
     formula.places[i] = static_cast<std::uint8_t>(arguments[i]);
   }
+  const auto end = [&](std::size_t i) { return "{" + std::to_string(arguments[i]) + "}"; };
+  formula.says = "the extent from " + end(1) + " to " + end(0) + " is at least that from " +
+                 end(3) + " to " + end(2) + ", each along its direction";
   for (std::size_t i = 1; i < weights.size(); ++i) {
     formula.weights.emplace_back();
     for (std::size_t axis = 0; axis < axes; ++axis) {

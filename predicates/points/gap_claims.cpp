@@ -26,16 +26,17 @@ constexpr std::string_view says(GapTerm term, bool negated) {
       return negated ? "the radii of {0} and {1} have no larger sum than those of {2} and {3}"
                      : "the radii of {2} and {3} have no larger sum than those of {0} and {1}";
     case GapTerm::kLeft:
-      return negated ? "|{0}{1}|^2 >= |{2}{3}|^2 + s^2, s the difference of the sums of radii"
-                     : "|{0}{1}|^2 <= |{2}{3}|^2 + s^2, s the difference of the sums of radii";
+      return negated ? "with s the difference of the sums of radii, |{0}{1}|^2 >= |{2}{3}|^2 + s^2"
+                     : "with s the difference of the sums of radii, |{0}{1}|^2 <= |{2}{3}|^2 + s^2";
     case GapTerm::kRight:
-      return negated ? "|{0}{1}|^2 + s^2 >= |{2}{3}|^2, s the difference of the sums of radii"
-                     : "|{0}{1}|^2 + s^2 <= |{2}{3}|^2, s the difference of the sums of radii";
+      return negated ? "with s the difference of the sums of radii, |{0}{1}|^2 + s^2 >= |{2}{3}|^2"
+                     : "with s the difference of the sums of radii, |{0}{1}|^2 + s^2 <= |{2}{3}|^2";
     case GapTerm::kProduct:
-      return negated ? "|s| is between the difference and the sum of the distances of {0}, {1} and of "
-                       "{2}, {3}, s the difference of the sums of radii"
-                     : "|s| is not strictly between the difference and the sum of the distances of {0}, "
-                       "{1} and of {2}, {3}, s the difference of the sums of radii";
+      return negated
+                 ? "with s the difference of the sums of radii, |s| is between the difference and "
+                   "the sum of the distances of {0}, {1} and of {2}, {3}"
+                 : "with s the difference of the sums of radii, |s| is not strictly between the "
+                   "difference and the sum of the distances of {0}, {1} and of {2}, {3}";
   }
   return {};
 }

@@ -32,13 +32,15 @@ DelaunayGraph triangulation(const MakerInput& in) { return DelaunayGraph::of(*in
 std::optional<Refusal> endless(const Scene& scene) {
   if (scene.end) return std::nullopt;
   return Refusal{"keeps points in a grid over all that they pass, the scene has no end",
-                 "give it an \"end\", or maintain closest_pair_all"};
+                 "give it an \"end\" in its file, which --until does not replace, or maintain "
+                 "closest_pair_all"};
 }
 
 std::optional<Refusal> endless_discs(const Scene& scene) {
   if (scene.end) return std::nullopt;
-  return Refusal{"keeps discs in a grid over all that they pass, the scene has no end",
-                 "give it an \"end\", or maintain disc_pairs_all"};
+  return Refusal{
+      "keeps discs in a grid over all that they pass, the scene has no end",
+      "give it an \"end\" in its file, which --until does not replace, or maintain disc_pairs_all"};
 }
 
 // The closest pair, of all pairs or of those of two colours.

@@ -199,31 +199,38 @@ std::vector<StructureInfo> graph_trees() {
   base.graph = true;
   base.width = 1;
   base.ties = "of edges with identically equal weights the smaller object is the lighter";
-  return trees(
+  std::vector<StructureInfo> result = trees(
       base,
       std::array{
           TreeTexts{"graph_mst_list",
                     "the minimum spanning forest of a graph, by the order of all its edges",
-                    "m - 1 for m edges, one for each two neighbours in their list", TreeProof::kList,
-                    make_graph_tree<TreeProof::kList>},
-          TreeTexts{"graph_mst_cycles",
-                    "the minimum spanning forest of a graph, every edge outside it against those of "
-                    "its cycle",
-                    "at most (m - n + 1)(n - 1) for m edges and n vertices: every edge outside the "
-                    "forest is the heaviest of its cycle",
-                    TreeProof::kCycles, make_graph_tree<TreeProof::kCycles>},
-          TreeTexts{"graph_mst_clusters",
-                    "the minimum spanning forest of a graph, by tournaments of groups of edges between "
-                    "clusters of its vertices",
-                    "at most 3m + n (log2 n + 1) + nk + 2k^2 for m edges, n vertices and k clusters: "
-                    "three an edge, and the heaviest edges of paths in and between clusters",
-                    TreeProof::kClusters, make_graph_tree<TreeProof::kClusters>},
-          TreeTexts{"graph_mst_sparsified",
-                    "the minimum spanning forest of a graph of many more edges than vertices, by a "
-                    "tournament of the forests of groups of edges",
-                    "at most (n - 1)^2 for each of about 2m/n nodes, m edges and n vertices: every edge "
-                    "outside the forest of a node is the heaviest of its cycle",
-                    TreeProof::kForests, make_graph_tree<TreeProof::kForests>}});
+                    "m - 1 for m edges, one for each two neighbours in their list",
+                    TreeProof::kList, make_graph_tree<TreeProof::kList>},
+          TreeTexts{
+              "graph_mst_cycles",
+              "the minimum spanning forest of a graph, every edge outside it against those of "
+              "its cycle",
+              "at most (m - n + 1)(n - 1) for m edges and n vertices: every edge outside the "
+              "forest is the heaviest of its cycle",
+              TreeProof::kCycles, make_graph_tree<TreeProof::kCycles>},
+          TreeTexts{
+              "graph_mst_clusters",
+              "the minimum spanning forest of a graph, by tournaments of groups of edges between "
+              "clusters of its vertices",
+              "at most 3m + n (log2 n + 1) + nk + 2k^2 for m edges, n vertices and k clusters: "
+              "three an edge, and the heaviest edges of paths in and between clusters",
+              TreeProof::kClusters, make_graph_tree<TreeProof::kClusters>},
+          TreeTexts{
+              "graph_mst_sparsified",
+              "the minimum spanning forest of a graph of many more edges than vertices, by a "
+              "tournament of the forests of groups of edges",
+              "at most (n - 1)^2 for each of about 2m/n nodes, m edges and n vertices: every edge "
+              "outside the forest of a node is the heaviest of its cycle",
+              TreeProof::kForests, make_graph_tree<TreeProof::kForests>}});
+  for (StructureInfo& info : result) {
+    info.kinds.back().text = "two edges change places: their weights are identically equal";
+  }
+  return result;
 }
 
 }  // namespace

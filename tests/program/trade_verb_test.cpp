@@ -64,6 +64,13 @@ TEST_F(TradeVerb, CountsAgreeInNumber) {
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   EXPECT_THAT(finished.out, HasSubstr("1 scene: exact, double, gsl right in it; "));
   EXPECT_THAT(read_file(folder_ + "/trade.txt"), HasSubstr("1 scene; same events / other events, valid / wrong:"));
+  const std::string two = scratch_.file("two.json");
+  ASSERT_EQ(run_kinex({"gen", "sort-worst", "--n", "4", "--maintain", "sorted_list,maximum_heap",
+                       "-o", two})
+                .exit_code,
+            0);
+  EXPECT_THAT(run_kinex({"trade", two, "--arithmetic", "gsl", "-o", scratch_.file("two")}).out,
+              HasSubstr("2 structures of 1 scene: "));
 }
 
 TEST_F(TradeVerb, TableSaysHowManyBitsTheSceneNeeds) {

@@ -70,7 +70,10 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"diff", scene_, scene_, scene_}, "is more than it takes; leave it out"},
       {{"gen", "grid", "--n"}, "gen: --n has no value; write --n VALUE"},
       {{"gen", "grid", "--n", "many"},
-       "--n: \"many\" is not a whole number that fits; write one, as 100"},
+       "--n: \"many\" is not a whole number that fits; write one from 1 to 10000000"},
+      {{"list", "workloads", "--family", "proximity"},
+       "--family: is for structures, not for workloads; write kinex list structures --family "
+       "proximity"},
       {{"run", scene_, "--color", "pink"},
        "kinex: --color: \"pink\" is not a choice; write auto, always or never"},
       {{"run", scene_, "-q", "-v"}, "does not go with"},
@@ -246,6 +249,10 @@ TEST_F(Typing, QuietAndVerbose) {
   EXPECT_THAT(run_kinex({"check", "-q", scratch_.file("none")}).err, StartsWith("kinex: "));
   EXPECT_EQ(run_kinex({"import", "-q", "-"}, "id,x,vx\na,0,1\n").err, "");
   EXPECT_EQ(run_kinex({"import", "-"}, "id,x,vx\na,0,1\n").err, "kinex: 1 row, 1 object\n");
+  EXPECT_THAT(
+      run_kinex({"import", "-", "--maintain", "closest_pair_bins"}, "id,x,y,vx,vy\na,0,0,1,1\n")
+          .err,
+      HasSubstr("the scene has no end; give --end T, or maintain closest_pair_all"));
   EXPECT_THAT(run_kinex({"gen", "-v", "grid", "--n", "1"}).err, HasSubstr("1 object, hash "));
 }
 

@@ -24,7 +24,7 @@ struct Case {
 TEST(JsonDefect, NamesPlaceWordAndReason) {
   const Case cases[] = {
       {"", "column 1", "the file is empty"},
-      {" \n ", "line 2, column 2", "the text ends too early"},
+      {" \n ", "line 2, column 2", "the text ends too early: it holds only white space"},
       {"{]", "column 2", "\"]\" is not allowed here: expected a name in double quotes"},
       {"[1,]", "column 4", "\"]\" is not allowed here: expected a value"},
       {"[1 22]", "column 4", "\"22\" is not allowed here: expected ',' or ']'"},

@@ -189,7 +189,7 @@ TEST(SweepPlan, DefectsHaveAPlace) {
   refused(R"({"structure": "separation_mixed", "workload": "grid", "n": 4})", "/structure",
           "separation_mixed");
   refused(R"({"structure": "delaunay_2", "workload": "grid", "n": 4, "dimension": [2, 1]})",
-          "/structure", "needs 2 axes");
+          "/structure", "needs 2 axes, a scene of grid has 1; write \"dimension\": 2");
   refused(R"({"structure": "sorted_list", "workload": "grid", "n": 4, "degree": [1, 2]})",
           "/degree/1", "this workload has a degree of its own");
   refused(R"({"structure": "sorted_list", "workload": "grid", "n": 4, "seed": -1})", "/seed",
@@ -205,6 +205,9 @@ TEST(SweepPlan, DefectsHaveAPlace) {
           "9 is outside of the scene's time");
   refused(R"({"structure": "sorted_list", "workload": "grid", "n": 4, "sede": 1})", "/sede",
           "\"sede\" is not a known field");
+  refused(R"({"structure": "emst_cycles", "workload": "random-graph", "n": 4})", "/structure",
+          "\"emst_cycles\" needs 2 axes, a scene of random-graph has 1; name another structure, or "
+          "another workload, as uniform-square");
   refused(
       R"({"structure": "sorted_list", "workload": "grid", "n": [3, 4, 5, 6, 7, 8, 9, 10, 11, 12],
               "seed": {"from": 1, "to": 200000}})",
