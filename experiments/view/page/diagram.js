@@ -67,6 +67,7 @@ class Diagram {
     for (const [text, y] of texts) label(context, text, axis.left + 3, y, COLOUR.quiet);  // over the curves
     context.restore();
     this.drawNow(context, axis, picture);
+    if (app.replay.shape !== "sequence") this.drawEndNames(context, axis, to, picture);
     if (app.replay.shape === "sequence") this.drawOrder(context, axis, picture);
   }
 
@@ -105,6 +106,7 @@ class Diagram {
 
   drawCurves(context, axis, from, to) {
     const { app } = this;
+    if (OBJECTS <= MOST_NAMED) this.drawExtents(context, axis, from, to);
     context.strokeStyle = COLOUR.point;
     context.globalAlpha = OBJECTS > 500 ? 0.15 : OBJECTS > 60 ? 0.3 : 0.55;
     context.lineWidth = OBJECTS > 300 ? 0.7 : 1.1;
@@ -117,6 +119,10 @@ class Diagram {
     if (app.replay.shape === "object") {
       if (app.other !== null) this.envelope(context, axis, OTHER, app.other, COLOUR.second, 7);
       this.envelope(context, axis, FIRST, app.replay, COLOUR.first, 3.2);
+    }
+    if (app.replay.tuples !== null && app.replay.width <= (OBJECTS > 500 ? 1 : 2)) {
+      if (app.other !== null) this.drawMembers(context, axis, OTHER, [from, to], COLOUR.second, 7);
+      this.drawMembers(context, axis, FIRST, [from, to], COLOUR.first, 4);
     }
     const curves = (ids, colour, width) => {
       context.strokeStyle = colour;
@@ -159,6 +165,76 @@ class Diagram {
     }
     context.stroke();
     context.globalAlpha = 1;
+  }
+
+  // A set of objects as wide curves while they are in it, a set of pairs as what is between the two curves.
+  drawMembers(context, axis, run, [from, to], colour, width) {
+    const spans = spansOf(run, this.app.shown(), from, to);
+    context.globalAlpha = width > 4 ? 0.45 : 1;
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.beginPath();
+    for (const [[object, second], begin, end] of spans) {
+      if (second === undefined) this.curve(context, axis, object, begin, end);
+    }
+    context.stroke();
+    context.fillStyle = colour;
+    context.globalAlpha = 0.16;
+    for (const [[a, b], begin, end] of spans) {
+      if (b !== undefined) this.fillBetween(context, axis, u => [keyAt(this.key, a, u), keyAt(this.key, b, u)], begin, end);
+    }
+    context.globalAlpha = 1;
+  }
+  // The area between two values of time; it ends where one of them is not there.
+  fillBetween(context, axis, values, from, to) {
+    const parts = 48, lower = [], upper = [];
+    for (let i = 0; i <= parts; ++i) {
+      const u = from + (to - from) * i / parts, [low, high] = values(i < parts ? u : u - (to - from) * 1e-9);
+      if (Number.isNaN(low) || Number.isNaN(high)) continue;
+      lower.push([axis.x(u), this.y(low)]);
+      upper.unshift([axis.x(u), this.y(high)]);
+    }
+    trace(context, [...lower, ...upper], true);
+    context.fill();
+  }
+  // Discs and boxes on their axis.
+  drawExtents(context, axis, from, to) {
+    const along = this.key.axis;
+    if (HALF.length === 0 || along === undefined) return;
+    context.fillStyle = COLOUR.point;
+    context.globalAlpha = 0.12;
+    for (let object = 0; object < OBJECTS; ++object) {
+      this.fillBetween(context, axis, u => {
+        const piece = pieceAt(object, u);
+        if (piece === null) return [NaN, NaN];
+        const x = evaluate(piece[2][along], u), half = evaluate(piece[2][AXES + Math.min(along, EXTENT_AXES - 1)], u);
+        return [x - half, x + half];
+      }, from, to);
+    }
+    context.globalAlpha = 1;
+  }
+
+  // The names of the objects where their curves end; of many those of the last log record.
+  drawEndNames(context, axis, to, picture) {
+    const marked = this.app.certificateObjects(), ends = [], before = to - 1e-9 * this.app.span;
+    for (let object = 0; object < OBJECTS; ++object) {
+      if (!memberOf(this.key, object) || (OBJECTS > MOST_NAMED && !marked.includes(object))) continue;
+      const y = this.y(keyAt(this.key, object, before));
+      if (y > 20 && y < picture.height) ends.push([object, y]);
+    }
+    ends.sort((a, b) => a[1] - b[1]);
+    const top = 34, bottom = picture.height - 10, step = Math.min(14, (bottom - top) / Math.max(1, ends.length - 1));
+    const places = placesInOrder(ends.map(([, y]) => y), step, top, bottom), right = axis.x(to);
+    ends.forEach(([object, y], i) => {
+      const is = marked.includes(object);
+      if (step < 10 && !is && object !== this.app.hovered) return;
+      context.strokeStyle = is ? COLOUR.failed : COLOUR.quiet;
+      context.lineWidth = 0.8;
+      trace(context, [[right, y], [right + 4, y], [right + 12, places[i]], [right + 16, places[i]]], false);
+      context.stroke();
+      const name = nameOf(object), short = name.length > 9 ? name.slice(0, 8) + "\u2026" : name;
+      label(context, short, right + 19, places[i], is ? COLOUR.failed : COLOUR.text);
+    });
   }
 
   drawNow(context, axis, picture) {
@@ -281,6 +357,38 @@ class Diagram {
     this.dy += dy;
     return true;
   }
+}
+
+// More objects than this are not all named.
+const MOST_NAMED = 60;
+
+// The tuples of a set between two times, as the log has them: [tuple, begin, end].
+const WALKERS = new Map();  // replays that are kept, as the next picture begins near the last one
+function spansOf(run, index, from, to) {
+  const known = RUNS.indexOf(run) + "/" + index, spans = [], since = new Map();
+  if (!WALKERS.has(known)) WALKERS.set(known, new Replay(run, index));
+  const replay = WALKERS.get(known);
+  replay.seek(eventsUntil(run, from));
+  if (replay.lost) return spans;
+  for (const [text, tuple] of replay.tuples) since.set(text, [tuple, from]);
+  const close = (text, u) => {
+    const [tuple, begin] = since.get(text);
+    since.delete(text);
+    if (begin < u) spans.push([tuple, begin, u]);
+  };
+  let end = to;
+  for (let i = replay.applied; i < replay.changes.length; ++i) {
+    const [event, , removed, added] = replay.changes[i], u = timeOf(run, event);
+    if (u >= to) break;
+    if (replay.corrupt !== null && event > replay.corrupt[0]) {
+      end = timeOf(run, replay.corrupt[0]);
+      break;
+    }
+    for (const tuple of replay.cut(removed)) if (since.has(tuple.join())) close(tuple.join(), u);
+    for (const tuple of replay.cut(added)) since.set(tuple.join(), [tuple, u]);
+  }
+  for (const text of [...since.keys()]) close(text, end);
+  return spans;
 }
 
 // Places of labels from the top to the bottom in this order, at least `gap` apart, each as near to its wanted

@@ -40,22 +40,25 @@ function placesOfLines(crossings, feet) {
     for (const line of lines) feet.push([X[0][point], heightOf(line, X[0][point])]);
   }
 }
-// The numbers that are not far from the middle half of them: [least, largest].
+// The middle half of the numbers, and with it those that are not far from it: [least, largest].
+function halfOf(sorted) {
+  const last = sorted.length - 1;
+  return [sorted[Math.floor(last / 4)], sorted[Math.ceil(last * 3 / 4)]];
+}
 function mostOf(numbers) {
-  const sorted = [...numbers].sort((a, b) => a - b), last = sorted.length - 1;
-  const [low, high] = [sorted[Math.floor(last / 4)], sorted[Math.ceil(last * 3 / 4)]];
+  const sorted = [...numbers].sort((a, b) => a - b), [low, high] = halfOf(sorted);
   const near = sorted.filter(x => x >= low - 0.8 * (high - low) && x <= high + 0.8 * (high - low));
   return [near[0], near[near.length - 1]];
 }
 // A length on an axis where nothing else gives one.
 const lengthAbout = x => Math.max(Math.abs(x) / 2, 1 / DATA.scale);
-// All points, most crossings, and most places of lines above and below points: crossings that are much farther away than the
+// All points, most crossings, and half of the places of lines above and below points: crossings that are much farther away than the
 // points reach are left out.
 function boxOfLines(points, crossings, feet) {
   const box = [...points], hasPoints = points[0] <= points[1];
   const most = list => [0, 1].flatMap(axis => mostOf(list.map(place => place[axis])));
   if (hasPoints && feet.length > 0) {
-    const [, , low, high] = most(feet);
+    const [low, high] = halfOf(feet.map(([, y]) => y).sort((a, b) => a - b));
     box[2] = Math.min(box[2], low);
     box[3] = Math.max(box[3], high);
   }

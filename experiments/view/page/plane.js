@@ -371,15 +371,22 @@ class Plane {
     if (this.app.replay.shape === "object") this.app.replay.ids.forEach(id => named.add(id));
     if (this.app.hovered !== null) named.add(this.app.hovered);
     const there = [...named].filter(object => {
-      const x = this.sx[object], y = this.sy[object];
+      const [x, y] = this.nameAt(object);
       return alive[object] && x >= left && y >= top && x <= left + width && y <= top + height;
     });
-    for (const object of there) this.places.around(this.sx[object], this.sy[object], 3);
+    for (const object of there) this.places.around(...this.nameAt(object), 3);
     const asked = object => object === this.app.hovered || marked.includes(object);
     for (const object of [...there.filter(asked), ...there.filter(object => !asked(object))]) {
       const colour = marked.includes(object) ? COLOUR.failed : COLOUR.text;
-      this.places.label(context, nameOf(object), this.sx[object], this.sy[object], colour, asked(object));
+      this.places.label(context, nameOf(object), ...this.nameAt(object), colour, asked(object));
     }
+  }
+  // Where an object is named: a line in the middle of the picture, or where it comes into it.
+  nameAt(object) {
+    const x = this.sx[object], y = this.sy[object], [, top, , height] = this.rectangle;
+    if (!IS_LINE[object] || (y >= top && y <= top + height)) return [x, y];
+    const inside = y < top ? top + 16 : top + height - 34;
+    return [x + (y - inside) / (X[0][object] * this.steep), inside];
   }
 
   nearest(x, y) {
