@@ -21,7 +21,7 @@ std::vector<bool> kruskal(std::span<const std::array<std::uint32_t, 2>> edges,
 BoundCheck spanning_tree_bound(const std::string& structure, const Integer& edges, int k,
                                const BoundContext& context) {
   return at_most(structure + ".external",
-                 "each two edges change their order by length at most as often as its degree",
+                 "each two edges change their order at most as often as its degree",
                  Integer(k * context.degree) * pairs(edges), counted(context.ledger->external));
 }
 
