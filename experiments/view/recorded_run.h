@@ -30,7 +30,8 @@ struct RecordedInstant {
 struct RecordedEvent {
   Event event;              // its `reason` is not set; see below
   std::string reason;       // of a rebuild; otherwise empty
-  std::vector<ObjectId> gone, came;  // Event::gone, Event::came of an external event without a certificate
+  std::vector<ObjectId> gone,
+      came;                 // Event::gone, Event::came of an external event without a certificate
   std::size_t instant = 0;  // index into RecordedRun::instants
   // The certificate's polynomial under the motions in force, primitive. If it is +1 or -1 times
   // that of the instant, `sign` is that factor and `polynomial` is zero; otherwise `sign` is 0.

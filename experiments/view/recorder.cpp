@@ -197,7 +197,8 @@ class Recorder final : public EventSink {
       if (info != nullptr) {
         record.role = std::string(info->role);
         record.directions = directions_of(*info, planned.request, scene_.dimension);
-        if (info->query) record.query = planned.request.query == kNoObject ? 0 : planned.request.query;
+        if (info->query)
+          record.query = planned.request.query == kNoObject ? 0 : planned.request.query;
       }
       record.members = planned.members;
       if (!planned.watches.empty()) record.proof.reads = planned.watches.front();
