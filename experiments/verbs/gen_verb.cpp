@@ -62,13 +62,7 @@ std::string listed(std::size_t line_length) {
 // In WorkloadParameters 0 means the default; --m 0 does not.
 lab::WorkloadParameters parameters_of(const GenOptions& options, const lab::Workload& workload) {
   lab::WorkloadParameters parameters = options.parameters;
-  if (!options.seed.empty()) {
-    parameters.seed = seed_option("--seed", options.seed);
-    if (!workload.random) {
-      throw formats::InputError(std::string(workload.name), "--seed",
-                                "this workload has no random numbers", "leave --seed out");
-    }
-  }
+  if (!options.seed.empty()) parameters.seed = seed_option("--seed", options.seed);
   if (options.m) {
     if (workload.takes_m) check_range("--m", *options.m, workload.min_m, lab::kMaxWorkloadSize);
     parameters.m = *options.m == 0 ? 1 : *options.m;  // refused where the workload takes none
