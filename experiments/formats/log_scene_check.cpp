@@ -24,6 +24,20 @@
 
 namespace kinex::formats {
 
+namespace {
+
+// Two points that have the same coordinate along some axis, for ever.
+bool are_level(std::span<const Trajectory* const> points) {
+  if (points.size() != 2) return false;
+  const auto &a = points[0]->coordinates, &b = points[1]->coordinates;
+  for (std::size_t axis = 0; axis < std::min(a.size(), b.size()); ++axis) {
+    if (a[axis] == b[axis]) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 LogSceneCheck::LogSceneCheck(const LogHeader& header, const Scene& scene, const std::string& hash,
                              std::vector<std::string>& problems)
     : scene_(scene), motions_(scene) {
@@ -200,8 +214,10 @@ std::string LogSceneCheck::check_certificate(const LogRecord& record, RealRoot& 
     return std::find_first_of(some.begin(), some.end(), others.begin(), others.end()) != some.end();
   };
   const bool fresh = at_changes && share(said.ids, appeared_);
-  // The claim of a tie that a new flight plan has made.
-  const bool of_tie = at_changes && (share(said.ids, moved_) || share(record.ids, moved_));
+  // The claim of a tie that a new flight plan has made, or of two points that have become neighbours.
+  const bool of_tie =
+      (at_changes && (share(said.ids, moved_) || share(record.ids, moved_))) ||
+      (again_ && known != nullptr && known->name().starts_with("order_") && are_level(of));
   const auto problem_if = [&](const Failure& failure) {
     if (along) return direction_problem(meanings->second, said.predicate, of, failure, instant);
     return polynomial_problem(certificate_polynomial(*known, of), failure, instant);
