@@ -26,7 +26,7 @@ namespace kinex::formats {
 
 namespace {
 
-// Two points that have the same coordinate along some axis, for ever.
+// Two points, one straight above the other or beside it, at all times.
 bool are_level(std::span<const Trajectory* const> points) {
   if (points.size() != 2) return false;
   const auto &a = points[0]->coordinates, &b = points[1]->coordinates;
