@@ -3,8 +3,10 @@
 
 usage: structures.py PROGRAM LOGCHECK_FOLDER [STRUCTURE,...|all [SHIFT]]
 
-Exit code 77: the program writes logs of version 1. Logs of n = 8 (points) or 3 to 4 (bodies) at levels 0 to 4, and of n = 5 at level 5 too. A structure whose
-logs were never followed, and a level that was done nowhere, fail the test.
+Exit code 77: the program writes logs of version 1. Logs of n = 8 (points) or 3 to 4 (bodies) at levels 0 to 4, and
+of n = 5 at level 5 too. Of the families of points every second one is tried at the larger size and the others at the
+smaller one; the name of a structure and SHIFT decide which (two SHIFTs, an even and an odd one, try all of both).
+A structure whose logs were never followed, and a level that was done nowhere, fail the test.
 """
 import collections
 import json
@@ -39,6 +41,12 @@ def maintained(structure, known):
 def seed_of(structure):
     """Of its scenes: the same whatever other structures there are."""
     return zlib.crc32(structure.encode()) % 1000
+
+
+def sizes(i, larger, smaller):
+    """[(j, family, n, seed)] of the points of a structure whose number is i: larger and smaller scenes take turns."""
+    for j, family in enumerate(logs.POINT_FAMILIES):
+        yield (j, family, larger, i + j) if (i + j) % 2 == 0 else (j, family, smaller, i + 2 * j)
 
 
 def main():
@@ -86,11 +94,9 @@ def main():
             if structure not in chosen:
                 continue
             i = seed_of(structure) + shift
-            for j, family in enumerate(logs.POINT_FAMILIES):
-                options = maintained(structure, known)
-                maintain = options[(i + j) % len(options)]
-                check(scratch, structure, family, 8, i + j, maintain)
-                check(scratch, structure, family, 5, i + 2 * j, maintain)
+            options = maintained(structure, known)
+            for j, family, n, seed in sizes(i, 8, 5):
+                check(scratch, structure, family, n, seed, options[(i + j // 2) % len(options)])
             if structure in known.line and structure not in known.linear:
                 check(scratch, structure, "uniform-square", 7, i, structure, "--degree", "3", "--dimension", "1")
             check(scratch, structure, "gaussian", 6, i, maintained(structure, known)[0], "--degree", "2")
@@ -98,18 +104,16 @@ def main():
             if structure not in chosen:
                 continue
             i = seed_of(structure) + shift
-            for j, family in enumerate(logs.POINT_FAMILIES):
-                check(scratch, structure, family, 9, i + j, structure, "--dimension", "1")
-                check(scratch, structure, family, 5, i + 2 * j, structure, "--dimension", "1")
+            for _, family, n, seed in sizes(i, 9, 5):
+                check(scratch, structure, family, n, seed, structure, "--dimension", "1")
             check(scratch, structure, "random-graph", 10, i, structure, "--m", "4")
             check(scratch, structure, "parallel-edges", 4, i, structure, "--m", "2")
         for structure in known.extents:
             if structure not in chosen:
                 continue
             i = seed_of(structure) + shift
-            for j, family in enumerate(logs.POINT_FAMILIES):
-                check(scratch, structure, family, 8, i + j, structure)
-                check(scratch, structure, family, 5, i + 2 * j, structure)
+            for _, family, n, seed in sizes(i, 8, 5):
+                check(scratch, structure, family, n, seed, structure)
             for family in ("fan", "small", "random"):
                 family += {"fan": "-of", "small": "", "random": ""}[family]
                 family += "-boxes" if structure == "box_pairs" else "-discs"
@@ -119,9 +123,8 @@ def main():
             if structure not in chosen:
                 continue
             i = seed_of(structure) + shift
-            for j, family in enumerate(logs.POINT_FAMILIES):
-                check(scratch, structure, family, 8, i + j, structure)
-                check(scratch, structure, family, 5, i + 2 * j, structure)
+            for _, family, n, seed in sizes(i, 8, 5):
+                check(scratch, structure, family, n, seed, structure)
             check(scratch, structure, "gaussian", 6, i, structure, "--degree", "2")
             check(scratch, structure, "small-lines-and-points", 8, 1, structure)
             check(scratch, structure, "points-through-lines", 3, 1, structure, "--m", "2")

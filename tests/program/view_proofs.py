@@ -71,7 +71,8 @@ async function answer() {
         : app.proof.certificate(c).ids.every(id => alive[id]));
       const chosen = [...app.proof.live].filter(here).slice(0, 40);
       for (const option of document.getElementById("drawing").options) {
-        if (option.disabled) continue;
+        // A drawing in which one was seen need not be looked at again.
+        if (option.disabled || found.drawings[option.value] >= 8) continue;
         app.select(null);
         app.setMode(option.value);
         await settle();
