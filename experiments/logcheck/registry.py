@@ -22,7 +22,8 @@ from replay_octants import Cones, Octants
 from replay_pairs import BoxesThatMeet, DiscsThatMeet
 from replay_range import RangeTree, TrajectoryTree
 from replay_regular import RegularInSpace, RegularInThePlane
-from replay_scratch import BoundingBox, ClosestPair, ClosestPairOfOrders, FarthestPair, NearestSite, TwoColours
+from replay_scratch import (BoundingBox, ClosestPair, ClosestPairOfOrders, FarthestPair, FarthestPairOfHull, NearestSite,
+                            TwoColours)
 from replay_space import DelaunayInSpace
 from replay_trees import GraphTree, SpanningTree
 from replay_voronoi import VoronoiCell
@@ -52,7 +53,7 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": Dela
             "points_in_arrangement": LinesNextToPoints, "trapezoids_2": WallsOfLines,
             "graph_mst_list": GraphTree, "graph_mst_cycles": GraphTree,
             "graph_mst_clusters": GraphTree, "graph_mst_sparsified": GraphTree,
-            "diameter_2": FarthestPair, "diameter_all_pairs": FarthestPair,
+            "diameter_2": FarthestPairOfHull, "diameter_all_pairs": FarthestPair,
             "bounding_box_2_hull": BoxOfHull, "farthest_delaunay_2": FarthestDelaunay,
             "min_circle_2": MinCircle, "min_circle_2_brute_force": MinCircle,
             "range_tree_2": RangeTree, "rank_kd_tree_2": RankKdTree, "pseudo_kd_tree_2": PseudoKdTree,

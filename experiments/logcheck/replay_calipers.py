@@ -5,7 +5,7 @@ calipers flush with it touch, and the best of these. Their own events are checke
 from fractions import Fraction
 
 from parameters import value_of
-from replay_scratch import Scratch
+from replay_scratch import OnHull, Scratch
 from static import hull
 
 
@@ -13,7 +13,7 @@ def folds_of(structure):
     return int(value_of(structure.name, structure.options, "folds", lambda v: Fraction(str(v))))
 
 
-class Flush(Scratch):
+class Flush(OnHull, Scratch):
     order = ""  # "the first is at most as large", of two candidates
 
     def current(self, x):
@@ -77,7 +77,7 @@ class Perimeter(Rectangle):
     order = "order_rectangle_perimeter"
 
 
-class Calipers(Scratch):
+class Calipers(OnHull, Scratch):
     """What calipers touch right after the direction of each edge: its head, and in each other fold the extreme
     vertex; of the two ends of an edge that is identically tangent the head, if its tail is the smaller one."""
 

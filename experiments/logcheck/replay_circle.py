@@ -5,14 +5,11 @@ by signs, right after every instant that has a record."""
 from itertools import combinations
 
 from predicates import axis_order
-from replay_scratch import Scratch
+from replay_scratch import OnHull, Scratch
 from static import hull
 
 
-HULLS = ("convex_hull_2", "directions_2")
-
-
-class OfHull(Scratch):
+class OfHull(OnHull, Scratch):
     """Of strict vertices of the hull."""
 
     def cycle(self, x):
@@ -27,11 +24,6 @@ class OfHull(Scratch):
 
     def event(self, r, x):
         self.require(len(set(r.ids)) == len(r.ids), "%s: a point is named twice", r.short())
-
-    def doubt(self, r, x, what):
-        """A certificate that is negative, but not zero: of what is repaired because the hull has just changed."""
-        hulls = [replay for replay in self.checker.touched.values() if replay.structure.name.startswith(HULLS)]
-        self.require(hulls and not r.external, what.replace("%", "%%"))
 
 
 class BoxOfHull(OfHull):

@@ -16,6 +16,19 @@ from replay_members import ByTurnedOrders, OfMembers
 from subsets import classes_of, query_of
 
 
+HULLS = ("convex_hull_2", "directions_2")
+
+
+class OnHull:
+    """Replays of what is made on a hull."""
+
+    def doubt(self, r, x, what):
+        """A certificate that is negative, but not zero: of what is repaired because the hull has just changed, as where
+        a new flight plan takes away a side that had no length at that instant."""
+        hulls = [replay for replay in self.checker.touched.values() if replay.structure.name.startswith(HULLS)]
+        self.require(hulls and not r.external, what.replace("%", "%%"))
+
+
 class Scratch(OfMembers):
     bound = []
     partly = "internal events: the duels of its tournaments are not followed"
@@ -229,13 +242,17 @@ class NearestSite(Scratch):
 
 
 class FarthestPair(ClosestPair):
-    """Of equally distant pairs the smallest. The events of calipers are checked as failures only."""
-
-    CALIPERS = ("antiparallel", "perpendicular", "split", "merge", "renew")
+    """Of equally distant pairs the smallest."""
 
     @staticmethod
     def claim(a, b):
         return distance_query(b, a)
+
+
+class FarthestPairOfHull(OnHull, FarthestPair):
+    """The events of calipers are checked as failures only."""
+
+    CALIPERS = ("antiparallel", "perpendicular", "split", "merge", "renew")
 
     def event(self, r, x):
         if r.kind not in self.CALIPERS:
