@@ -148,6 +148,11 @@ def changes(old, new):
 class HullOfDelaunay(Hull):
     """Read off a triangulation: its only events are changes of the hull, and it has no certificates."""
 
+    def between(self, a, b, p, x, wanted):
+        """Without an axis: a side that turns through the upright has no event there."""
+        wanted[a, b, p, 0] = ("edge_dot_2", (a, b, a, p))
+        wanted[a, b, p, 1] = ("edge_dot_2", (a, b, p, b))
+
 
 class HullBruteForce(Hull):
     """Certificates: the hull turns left at each vertex, and every other point is to the left of each edge. A
