@@ -72,7 +72,9 @@ RealRoot ExactArithmetic::copy_of_now() {
   if (naming_.query.arity == 0) return RealRoot(naming_.value);
   if (now_.root != 0) return roots_[now_.root];
   set_name_polynomial();
-  return RealRoot(Polynomial(naming_.polynomial), *Rational::from_double(naming_.lo),
+  Polynomial p(naming_.polynomial);
+  if (p.degree() == 1) return RealRoot(Rational(-p[0], p[1]));  // lo = hi = 0 is one of them
+  return RealRoot(std::move(p), *Rational::from_double(naming_.lo),
                   *Rational::from_double(naming_.hi));
 }
 
