@@ -290,26 +290,6 @@ TEST_P(ExactArithmetics, DescribesNow) {
   EXPECT_EQ(text.upper, "-5/4");
 }
 
-// A double holds zero exactly: its enclosure has no width.
-TEST_P(ExactArithmetics, TheInstantZeroHasANameAndAnInterval) {
-  const std::vector<Coefficients> tracks{
-      {Rational(0), Rational(-1)},
-      with_roots({Rational(0), Rational(2)}, kPlus),
-      with_roots({Rational(0), Rational(1), Rational(2)}, kMinus),
-  };
-  for (int i = 0; i < 3; ++i) {
-    for (const InstantDetail detail : {InstantDetail::kInterval, InstantDetail::kName}) {
-      Tracks t(name(), tracks, Rational(-1));
-      ASSERT_TRUE(t.fails_at(i, Rational(0)));
-      t.advance(i);
-      const InstantName& now = t->name_now(detail);
-      EXPECT_LE(now.lower, Rational(0));
-      EXPECT_GE(now.upper, Rational(0));
-      EXPECT_EQ(now.decimal, "0");
-    }
-  }
-}
-
 TEST_P(ExactArithmetics, FailuresUpToTheHorizon) {
   const std::vector<Coefficients> tracks{
       {Rational(1), Rational(-1)},                                          // 0: exactly at the end

@@ -65,6 +65,26 @@ void expect_equal(const std::vector<NamedInstant>& a, const std::vector<NamedIns
   }
 }
 
+// A double holds zero exactly: its enclosure has no width, and no ends at which signs differ.
+TEST(InstantRuns, ZeroIsNamedAlike) {
+  for (const std::string motion : {"[2, 1]", "[2, -3]", "[2, 1, 1]", "[2, 1, -2, 1]"}) {
+    SCOPED_TRACE(motion);
+    const Scene scene = formats::parse_scene(
+        R"({"kinex": 1, "name": "zero", "dimension": 1, "time": {"start": "-1/3", "end": 0},
+            "objects": [{"id": "a", "motion": [[2]]}, {"id": "b", "motion": [)" +
+            motion +
+            R"(]}], "maintain": [{"structure": "sorted_list", "key": "x"},
+                                 {"structure": "maximum_hanger", "key": "x"}, "bounding_box"]})",
+        "s.json");
+    const std::vector<NamedInstant> exact = run(scene, "exact", Scheduling::kLazy);
+    ASSERT_FALSE(exact.empty());
+    EXPECT_EQ(words(exact[0].interval), "root 0 [0, 0] 0");
+    EXPECT_EQ(words(exact[0].name), "0 1 root 1 [0, 0] 0");
+    expect_equal(exact, run(scene, "exact", Scheduling::kEager));
+    expect_equal(exact, run(scene, "sturm", Scheduling::kLazy));
+  }
+}
+
 TEST(InstantRuns, OfExtremesAreNamedAlike) {
   std::size_t scenes = 0, instants = 0;
   std::vector<std::filesystem::path> files;
