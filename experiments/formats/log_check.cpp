@@ -425,6 +425,7 @@ LogVerdict check_log(std::string_view text, const std::string& file, const Scene
   Checker checker(verdict);
   std::optional<LogSceneCheck> of_scene;
   if (scene != nullptr) of_scene.emplace(verdict.header, *scene, hash, verdict.problems);
+  if (of_scene && !of_scene->is_of_scene()) of_scene.reset();
   LogRecord record;
   while (reader.next(record)) {
     checker.check(record);

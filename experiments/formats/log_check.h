@@ -40,7 +40,8 @@ struct LogVerdict {
 };
 
 // Checks levels 0 and 1, and level 2 if there is a scene. Throws InputError for text that is no
-// event log, or is cut off in the middle of a line. `hash`: that of the scene's file.
+// event log, or is cut off in the middle of a line. `hash`: that of the scene's file; if the log was
+// not made from that, its header alone is compared with the scene.
 LogVerdict check_log(std::string_view text, const std::string& file, const Scene* scene = nullptr,
                      const std::string& hash = {});
 

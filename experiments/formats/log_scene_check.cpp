@@ -40,12 +40,13 @@ bool are_level(std::span<const Trajectory* const> points) {
 
 LogSceneCheck::LogSceneCheck(const LogHeader& header, const Scene& scene, const std::string& hash,
                              std::vector<std::string>& problems)
-    : scene_(scene), motions_(scene) {
+    : scene_(scene), is_of_scene_(header.scene_hash == hash), motions_(scene) {
   const auto complain = [&problems](const std::string& what) {
     problems.push_back("line 1: " + what);
   };
   if (header.scene_hash != hash) {
-    complain("the log is of a scene with hash " + header.scene_hash + ", the scene has " + hash);
+    complain("the log is of a scene with hash " + header.scene_hash + ", the scene has " + hash +
+             "; its records are not compared with that: give the scene that was run");
   }
   if (header.scene != scene.name) {
     complain("the scene's name is " + show_text(scene.name) + ", not " + show_text(header.scene));

@@ -29,6 +29,8 @@ class LogSceneCheck {
   LogSceneCheck(const LogHeader& header, const Scene& scene, const std::string& hash,
                 std::vector<std::string>& problems);
 
+  // The log is of this scene, by its hash. Records and the last line of another one need no check.
+  bool is_of_scene() const { return is_of_scene_; }
   // The defect of the next record's certificate, or of the features of bodies that it names; empty
   // if there is none. `instant`: its time, if that is known exactly.
   std::string check(const LogRecord& record, RealRoot* instant);
@@ -68,6 +70,7 @@ class LogSceneCheck {
   const Predicate* predicate(const std::string& label, const std::string& name);
 
   const Scene& scene_;
+  bool is_of_scene_;
   std::unordered_map<std::string, ObjectId> objects_;
   std::map<std::string, Key> keys_;  // by label, of structures that have one
   std::map<std::string, DirectionMeanings> directions_;  // by label, of structures that have some

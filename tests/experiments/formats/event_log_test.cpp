@@ -147,6 +147,20 @@ TEST(EventLog, DegenerateLogsOfEveryStructureVerify) {
   EXPECT_GT(certificates, 2000u);
 }
 
+// The records of a log would all be wrong for another scene: its hash and header say why, and that is enough.
+TEST(EventLog, OfAnotherScene) {
+  Scene scene = workload("uniform-square", 5, 1), other = workload("uniform-square", 5, 2);
+  for (Scene* one : {&scene, &other}) formats::set_maintain(*one, {"closest_pair_all"});
+  other.name = scene.name;
+  const std::string log = run(scene, "exact").log;
+  const auto problems = [&log](const Scene& of) {
+    return formats::check_log(log, "log", &of, formats::scene_hash(of)).problems;
+  };
+  EXPECT_EQ(problems(scene), std::vector<std::string>{});
+  ASSERT_EQ(problems(other).size(), 1u);
+  EXPECT_NE(problems(other)[0].find("give the scene that was run"), std::string::npos);
+}
+
 // Two lengths that are level for ever are compared after a turn. If edges of both are exchanged at one instant, the
 // second certificate is negative without having been zero.
 TEST(EventLog, LevelLengthsThatAreExchangedAtOneInstant) {
