@@ -18,7 +18,8 @@
 // In an exact arithmetic the structure is rebuilt when the guard fires; if it fires again at the
 // same instant, std::logic_error is thrown.
 // In an inexact arithmetic the limit is 1000 + 8 c + Structure::most_repairs(c), and the structure
-// is corrupt when the guard fires. Repairs at different instants are counted together if these lie
+// is corrupt when the guard fires; so is one that fails again after 64 rounds in which shared failures
+// of one instant are settled, each of which may read a whole structure. Repairs at different instants are counted together if these lie
 // in one short window of time. Relative to the length of the run (or to now, if that is larger) a
 // window is 2^27 ulps of the arithmetic, but at least 2^-40 and at most 2^-8.
 #ifndef KINEX_CORE_ENGINE_SIMULATOR_H
@@ -306,6 +307,7 @@ class Simulator final : private EventReporter {
   double next_lo_ = 0;     // the instant after it, a failure or a present change, is >= next_lo_
   std::vector<std::uint64_t> repairs_;  // since the guard was last reset
   std::vector<std::uint8_t> guard_fired_;
+  int rounds_ = 0;  // in which the present instant has been settled; outside of settle() 0
   std::vector<StructureId> touched_;  // structures with failures at the instant
   double guard_window_end_ = 0;       // inexact arithmetics
   double span_ = 1;                   // length of the scene in time, for that window

@@ -49,6 +49,38 @@ TEST(Simulator, TheGuardGivesUpOnBugs) {
   }
 }
 
+// Puts a repair off until the instant is settled, and claims then what has failed.
+class Postponing final : public PlainList {
+ public:
+  using PlainList::PlainList;
+  int settled = 0;
+  void certificate_failed(CertificateId failed) override {
+    failed_ = failed;
+    kernel_->replace(failed, Query(less_, {order_[1], order_[0]}), 0);  // which holds
+    kernel_->report(id_, 0, {}, false);
+    kernel_->settle_later(id_);
+  }
+  void instant_settled() override {
+    ++settled;
+    kernel_->replace(failed_, Query(less_, {order_[0], order_[1]}), 0);
+  }
+
+ private:
+  CertificateId failed_ = kNoCertificate;
+};
+
+// Rounds of settling may each read a whole structure: far fewer are allowed than repairs.
+TEST(Simulator, InexactInstantsAreNotSettledForEver) {
+  const Scene scene = scene_of({path({{0, 1}}), path({{1}})}, 0, Rational(4));
+  for (const char* arithmetic : {"double", "gsl", "mpfr:53"}) {
+    Fixture<Postponing> f(scene, {}, arithmetic);
+    EXPECT_EQ(f.simulator.run_until(std::nullopt), RunStatus::kDone);
+    EXPECT_EQ(f.ledger().corruption, "no end of repairs at one instant (at t = 1)") << arithmetic;
+    EXPECT_EQ(f.list->settled, 64 + 1) << arithmetic;
+    EXPECT_EQ(f.ledger().live, 0u);
+  }
+}
+
 TEST(Simulator, ABrokenInvariantIsABugOrCorruption) {
   const Scene scene = scene_of({path({{0, 1}}), path({{1}})}, 0, Rational(4));
   Fixture<Fragile> f(scene);
