@@ -88,7 +88,9 @@ class ClosestPairDiscs final : public Structure {
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   // The winner of a node only gets better, so a pair rises at most log2 of their number times; a duel has
   // three cases.
-  std::uint64_t most_repairs(std::uint64_t certificates) const override { return 64 * certificates; }
+  std::uint64_t most_repairs(std::uint64_t certificates) const override {
+    return 64 * certificates;
+  }
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override {
