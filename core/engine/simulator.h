@@ -18,10 +18,11 @@
 // In an exact arithmetic the structure is rebuilt when the guard fires; if it fires again at the
 // same instant, std::logic_error is thrown.
 // In an inexact arithmetic the limit is 1000 + 8 c + Structure::most_repairs(c), and the structure
-// is corrupt when the guard fires; so is one that fails again after 64 rounds in which shared failures
-// of one instant are settled, each of which may read a whole structure. Repairs at different instants are counted together if these lie
-// in one short window of time. Relative to the length of the run (or to now, if that is larger) a
-// window is 2^27 ulps of the arithmetic, but at least 2^-40 and at most 2^-8.
+// is corrupt when the guard fires; so is one that fails again after 64 rounds in which shared
+// failures of one instant are settled, each of which may read a whole structure. Repairs at different
+// instants are counted together if these lie in one short window of time. Relative to the length of
+// the run (or to now, if that is larger) a window is 2^27 ulps of the arithmetic, but at least 2^-40
+// and at most 2^-8.
 #ifndef KINEX_CORE_ENGINE_SIMULATOR_H
 #define KINEX_CORE_ENGINE_SIMULATOR_H
 
