@@ -20,7 +20,6 @@ namespace kinex::trade {
 
 namespace {
 
-constexpr double kLongEnough = 0.05;   // seconds for all rounds of one arithmetic
 constexpr double kOnceIsEnough = 0.2;  // seconds of a round that is not repeated
 constexpr double kMeasurable = 20e-6;  // seconds of one round
 constexpr int kMostRounds = 50;
@@ -168,14 +167,15 @@ std::optional<TradeRun> compared_run(Exact& exact, EventNames& names, const std:
 
 // The compared run, without its audits and reports, is the first round; a long one the only one. Further
 // rounds in all arithmetics alternate. False if it was interrupted.
-bool measure_times(const Scene& scene, std::vector<TradeRun>& runs, const TradeOptions& options) {
+bool measure_times(const TradeCase& which, const Scene& scene, std::vector<TradeRun>& runs,
+                   const TradeOptions& options) {
   std::vector<double> total;
   for (const TradeRun& run : runs) total.push_back(run.seconds.value_or(0));
   for (int round = 1; round < kMostRounds; ++round) {
     bool measured = false;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       TradeRun& run = runs[i];
-      const double enough = round < 2 ? kOnceIsEnough : kLongEnough;
+      const double enough = round < 2 ? kOnceIsEnough : which.enough_seconds;
       if (run.ending != Ending::kEnded || total[i] > enough) continue;
       const double begin = lab::cpu_seconds();
       const auto simulator = lab::make_simulator(scene, run.arithmetic, simulator_options(options, 0));
@@ -302,7 +302,7 @@ std::optional<CaseResult> run_case(const TradeCase& which, const TradeOptions& o
     if (!run || !options.source.go_on()) return std::nullopt;
     result.runs.push_back(*std::move(run));
   }
-  if (!measure_times(exact.scene, result.runs, options)) return std::nullopt;
+  if (!measure_times(which, exact.scene, result.runs, options)) return std::nullopt;
   return finish();
 }
 

@@ -43,14 +43,15 @@ std::string axes_of(const lab::TradePlan& plan) {
   return both ? ", 3 axes" : "";
 }
 
-void add_case(TradeCatalogue& catalogue, const lab::TradePlan& plan, const std::string& workload, int n,
-              int degree, double cost) {
+void add_case(TradeCatalogue& catalogue, const lab::TradePlan& plan, lab::Extent extent,
+              const std::string& workload, int n, int degree, double cost) {
   TradeCase one;
   one.structure = plan.structure;
   one.workload = workload;
   one.parameters = parameters_of(workload, n, degree, plan.dimension);
   one.name = workload + axes_of(plan) + (degree == 1 ? "" : ", degree " + std::to_string(degree));
   one.cost = cost;
+  if (extent == lab::Extent::kQuick) one.enough_seconds = 0.01;
   catalogue.cases.push_back(std::move(one));
 }
 
@@ -58,11 +59,11 @@ void add_plan(TradeCatalogue& catalogue, const lab::TradePlan& plan, lab::Extent
   const std::size_t size = extent == lab::Extent::kQuick ? 0 : 1;
   const int largest = find_structure_info(plan.structure)->largest_degree;
   for (int degree = 1; degree <= std::min(3, largest); ++degree) {
-    add_case(catalogue, plan, "uniform-square", plan.uniform[size], degree, degree);
+    add_case(catalogue, plan, extent, "uniform-square", plan.uniform[size], degree, degree);
   }
-  add_case(catalogue, plan, std::string(plan.worst), plan.worst_n[size], 1, 1);
-  add_case(catalogue, plan, "grid", plan.grid[size], 1, 1);
-  add_case(catalogue, plan, "near-one-point", plan.near[size], 1, 1);
+  add_case(catalogue, plan, extent, std::string(plan.worst), plan.worst_n[size], 1, 1);
+  add_case(catalogue, plan, extent, "grid", plan.grid[size], 1, 1);
+  add_case(catalogue, plan, extent, "near-one-point", plan.near[size], 1, 1);
   for (int degree = 1; degree <= std::min(3, largest); ++degree) {
     for (const int n : plan.bits[size]) {
       BitsCase one;

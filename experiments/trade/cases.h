@@ -29,6 +29,8 @@ struct TradeCase {
   lab::WorkloadParameters parameters;       // of the workload
   std::shared_ptr<const Scene> given;  // maintains one structure
   double cost = 0.1;                   // expected seconds, for progress
+  // CPU seconds of all rounds of an arithmetic after which it is timed no more.
+  double enough_seconds = 0.05;
 
   // With one structure to maintain.
   Scene scene() const;

@@ -23,8 +23,8 @@ std::uint64_t milliseconds(double seconds) { return static_cast<std::uint64_t>(1
 
 TradeCase read_case(const formats::JsonNode& content) {
   content.require_object({"structure", "workload", "n", "seed", "degree", "dimension", "m",
-                          "separation", "turns", "arithmetics", "max_seconds", "events_factor",
-                          "events_more", "seeds"});
+                          "separation", "turns", "arithmetics", "max_seconds", "enough_seconds",
+                          "events_factor", "events_more", "seeds"});
   TradeCase one;
   one.structure = content.member("structure").string();
   const formats::JsonNode workload = content.member("workload");
@@ -42,7 +42,8 @@ TradeOptions read_limits(const formats::JsonNode& content) {
 }
 
 sweep::CellReport run_planned_case(const formats::JsonNode& content) {
-  const TradeCase which = read_case(content);
+  TradeCase which = read_case(content);
+  which.enough_seconds = content.member("enough_seconds").rational().to_double();
   TradeOptions options = read_limits(content);
   const formats::JsonNode arithmetics = content.member("arithmetics");
   arithmetics.require_array();
@@ -120,6 +121,7 @@ sweep::PlanCell planned(const TradeCase& which, const TradeOptions& options) {
   json.key("arithmetics").begin_array();
   for (const std::string& arithmetic : options.arithmetics) json.string(arithmetic);
   json.end_array().key("max_seconds").real(options.max_seconds);
+  json.key("enough_seconds").real(which.enough_seconds);
   json.key("events_factor").number(options.events_factor);
   json.key("events_more").number(options.events_more).end_object().end_object();
   return sweep::make_cell(which.structure, text, milliseconds(which.cost));

@@ -93,6 +93,7 @@ TEST(Trapezoids, ParallelLinesPassAboveACrossing) {
 // 3 C(n,2) + n + 1 if no two lines are parallel; a pair of parallels has none of three.
 TEST(Trapezoids, Counts) {
   for (const std::size_t n : {1, 2, 3, 4, 6, 9, 12}) {
+    if (test::kSanitized && n > 9) break;
     SCOPED_TRACE(n);
     Random random(7 + n);
     std::vector<Trajectory> paths;
@@ -205,6 +206,7 @@ struct Counted {
 // 0 < t < 10 at which any polynomial of two, three or four lines is zero, found by another program.
 TEST(Trapezoids, ReferenceCounts) {
   for (const Counted& one : {Counted{6, 1, 182}, {8, 1, 414}, {10, 2, 830}}) {
+    if (test::kSanitized && one.n > 6) break;
     SCOPED_TRACE(one.n);
     const Scene scene = line_reference(one.n, one.seed, LineUse::kAlone);
     const TwinRun run(scene, trapezoids()), twin(scene, trapezoids(), "sturm");
