@@ -59,7 +59,7 @@ TEST(Inexact, ScenesWithoutEnd) {
 
 TEST(Inexact, NumbersBeyondTheDoubles) {
   for (const int degree : {1, 2, 3}) {
-    if (kSanitized && degree == 2) continue;
+    if (kSanitized && degree > 2) break;
     for (const char* size : {"1e150", "1e-150", "1e308", "1e400", "1e-400"}) {
       Random random(static_cast<std::uint64_t>(degree));
       std::vector<Trajectory> paths;

@@ -318,6 +318,7 @@ TEST(Meetings, Metamorphic) {
   std::size_t seen = 0;
   for (const Extents extents : kBothExtents) {
     for (const int degree : {1, 2}) {
+      if (kSanitized && degree > 1) break;
       Random random(static_cast<std::uint64_t>(degree) + 3);
       std::vector<Trajectory> paths;
       const int more = extents == Extents::kRadius ? 1 : 2;
@@ -352,7 +353,7 @@ TEST(Meetings, Metamorphic) {
       }
     }
   }
-  EXPECT_GT(seen, 100u);
+  EXPECT_GT(seen, kSanitized ? 40u : 100u);
 }
 
 }  // namespace meetings_test
