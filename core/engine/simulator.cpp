@@ -259,7 +259,7 @@ void Simulator::note_peak() {
 }
 
 std::vector<BoundCheck> Simulator::bounds(StructureId id) const {
-  if (is_torn()) return {};
+  if (is_torn() || kernel_.ledger(id).corrupt) return {};
   BoundContext context;
   for (ObjectId object = 0; object < pieces_.size(); ++object) {
     if (!entries_[id].has(object)) continue;

@@ -163,7 +163,8 @@ class Simulator final : private EventReporter {
   bool alive(ObjectId object) const { return alive_[object]; }
   Snapshot snapshot(const Rational& t) const;
   const RunLedger& ledger() const { return ledger_; }
-  // The hard bounds of one structure, checked for the run so far; none if the run is_torn().
+  // The hard bounds of one structure, checked for the run so far; none if it is corrupt or
+  // the run is_torn().
   std::vector<BoundCheck> bounds(StructureId id) const;
   // Messages about the violations found so far (at most kMaxMessages are kept).
   static constexpr std::size_t kMaxMessages = 100;
