@@ -56,11 +56,15 @@ void IncidencesCutting::audit(const Snapshot& snapshot, AuditReport& report) con
     }
     return true;
   };
+  Ids lines;
+  for (ObjectId l = 0; l < snapshot.objects(); ++l) {
+    if (snapshot.alive(l) && is_line_[l]) lines.push_back(l);
+  }
   cells_.each([&](Cell cell) {
     const CuttingCells::Trapezoid& t = cells_.trapezoid(cell);
     report.check(all_there(t), [] { return "a trapezoid of lines that are not there"; });
     if (!all_there(t)) return;
-    for (const ObjectId line : lines_) {
+    for (const ObjectId line : lines) {
       Range range;
       if (t.left[0] != kNoObject) range.require_positive(1, -x_of(t.left));
       if (t.right[0] != kNoObject) range.require_positive(-1, x_of(t.right));

@@ -119,11 +119,12 @@ class Witness {
 }  // namespace
 
 void LineArrangement2::audit(const Snapshot& snapshot, AuditReport& report) const {
-  Ids lines = crossings_.lines();
-  for (const ObjectId l : lines) {
-    report.check(snapshot.alive(l), [] { return "a line that is not there"; });
-    if (!snapshot.alive(l)) return;
+  Ids lines;
+  for (ObjectId l = 0; l < snapshot.objects(); ++l) {
+    if (snapshot.alive(l)) lines.push_back(l);
   }
+  report.check(lines == crossings_.lines(), [] { return "other lines than those that are there"; });
+  if (lines != crossings_.lines()) return;
   const Witness witness(snapshot, lines);
   std::size_t ends = 0, edges = 0;  // of edges, at vertices; of distinct lines
   for (const ObjectId l : lines) {

@@ -135,9 +135,12 @@ class Witness {
 
 void PointsInArrangement::audit(const Snapshot& snapshot, AuditReport& report) const {
   const Witness witness(snapshot, is_line_);
-  for (const ObjectId p : points_) {
-    report.check(snapshot.alive(p), [] { return "a point that is not there"; });
-    if (!snapshot.alive(p)) return;
+  Ids points;
+  for (ObjectId p = 0; p < snapshot.objects(); ++p) {
+    if (snapshot.alive(p) && !is_line_[p]) points.push_back(p);
+  }
+  report.check(points == points_, [] { return "other points than those that are there"; });
+  for (const ObjectId p : points) {
     const Point point(Number(snapshot.position(p, 0).raw()), Number(snapshot.position(p, 1).raw()));
     const auto [above, below] = witness.next_to(point);
     report.check(places_[p].edges[kUp].line == above && places_[p].edges[kDown].line == below,
