@@ -56,8 +56,8 @@ void ClosestPairOctants::check_invariants(AuditReport& report) const {
 }
 
 void ClosestPairOctants::audit(const Snapshot& snapshot, AuditReport& report) const {
-  report.check(static_closest_pair(snapshot) == attribute().ids,
-               [] { return "another pair is the closest"; });
+  check_closest_pairs(
+      snapshot, attribute().ids, [this](const Pair& pair) { return pairs_.has(pair); }, report);
 }
 
 }  // namespace kinex

@@ -100,8 +100,8 @@ void ClosestPairRangeTree::check_invariants(AuditReport& report) const {
 }
 
 void ClosestPairRangeTree::audit(const Snapshot& snapshot, AuditReport& report) const {
-  report.check(static_closest_pair(snapshot) == attribute().ids,
-               [] { return "another pair is the closest"; });
+  check_closest_pairs(
+      snapshot, attribute().ids, [this](const Pair& pair) { return pairs_.has(pair); }, report);
 }
 
 std::size_t ClosestPairRangeTree::bytes() const {

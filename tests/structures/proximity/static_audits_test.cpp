@@ -3,12 +3,14 @@
 // of the positions.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "structures/proximity/spanning_tree.h"
+#include "structures/proximity/static_closest_pair_audit.h"
 #include "structures/proximity/static_forest_audit.h"
 #include "structures/proximity/static_meetings_audit.h"
 #include "tests/structures/proximity/meetings_support.h"
@@ -67,6 +69,29 @@ TEST(StaticAudits, ClosedBoxes) {
   }
 }
 
+// Three points at one place, two at another; one alone, at the distance 1 from both and from another one.
+TEST(StaticAudits, AllClosestPairs) {
+  using Pairs = std::vector<std::array<ObjectId, 2>>;
+  Snapshot points(Rational(0), 2, 2, 8);
+  const int places[8][2] = {{1, 0}, {0, 0}, {1, 1}, {0, 0}, {5, 5}, {1, 0}, {0, 0}, {9, 9}};
+  for (const ObjectId i : {0u, 2u, 3u}) {
+    for (const int axis : {0, 1}) points.set(i, axis, Rational(places[i][axis]));
+  }
+  EXPECT_EQ(static_closest_pairs(points), (Pairs{{0, 2}, {0, 3}}));
+  AuditReport right, wrong;
+  check_closest_pairs(
+      points, {0, 2}, [](const auto&) { return true; }, right);
+  check_closest_pairs(
+      points, {0, 2}, [](const auto& pair) { return pair[1] != 3; }, wrong);
+  EXPECT_EQ(right.violations, std::vector<std::string>{});
+  EXPECT_EQ(wrong.violations, std::vector<std::string>{"closest pair 0, 3 is no candidate"});
+  for (const ObjectId i : {1u, 4u, 5u, 6u}) {
+    for (const int axis : {0, 1}) points.set(i, axis, Rational(places[i][axis]));
+  }
+  EXPECT_EQ(static_closest_pairs(points), (Pairs{{0, 5}, {1, 3}, {3, 6}}));
+  EXPECT_EQ(static_closest_pair(points), (Ids{0, 5}));
+}
+
 // The audit of a structure at its own positions, and at those of the scene's start, where its attribute was
 // another one.
 TEST(StaticAudits, AnAuditSeesAWrongAttribute) {
@@ -92,6 +117,42 @@ TEST(StaticAudits, AnAuditSeesAWrongAttribute) {
     structure.audit(run.simulator.snapshot(scene.start), wrong);
     EXPECT_EQ(right.violations, std::vector<std::string>{});
     EXPECT_FALSE(wrong.violations.empty());
+  }
+}
+
+// The last line and the last point leave before the end; an audit of positions that have them still, or have
+// one that stays no more, tells that they are not in the structure.
+TEST(StaticAudits, AnAuditSeesAMissingObject) {
+  for (const char* name : {"line_arrangement_2", "trapezoids_2", "points_in_arrangement",
+                           "incidences_all", "incidences_cutting"}) {
+    SCOPED_TRACE(name);
+    Scene scene = reference_scene(10, 2, 2);
+    const LineUse lines = find_structure_info(name)->lines;
+    with_lines(scene, lines);
+    for (const std::size_t i : {8u, 9u}) scene.objects[i].motion.pieces[0].to = Rational(4);
+    scene.end = Rational(Integer(969), Integer(97));
+    const TwinRun run(scene, {ask(name)});
+    const Structure& structure = run.simulator.structure(run.ids[0]);
+    const Snapshot there = run.simulator.snapshot(*scene.end);
+    AuditReport right;
+    structure.audit(there, right);
+    EXPECT_EQ(right.violations, std::vector<std::string>{});
+    for (const ObjectId missing :
+         {8u, 9u}) {  // a level line just above object 1, and a point there
+      Snapshot more = there;
+      more.set(missing, 0, missing == 8 ? Rational(0) : there.position(1, 0));
+      more.set(missing, 1, there.position(1, 1) + Rational(Integer(1), Integer(1000000)));
+      AuditReport wrong;
+      structure.audit(more, wrong);
+      EXPECT_FALSE(wrong.violations.empty()) << missing;
+    }
+    for (const ObjectId gone : {0u, 1u}) {
+      std::vector<bool> members(10, true);
+      members[gone] = false;
+      AuditReport wrong;
+      structure.audit(there.of(members), wrong);
+      EXPECT_FALSE(wrong.violations.empty()) << gone;
+    }
   }
 }
 
