@@ -15,11 +15,16 @@ struct Aim {
   std::string what;
   double wanted, measured;
   bool at_most;  // the measured figure is to be at most, or at least, the wanted one
+  std::string unmeasured = {};  // why there is no measured figure; empty: there is one
 
-  bool met() const { return at_most ? measured <= wanted : measured >= wanted; }
+  bool met() const {
+    if (!unmeasured.empty()) return false;
+    return at_most ? measured <= wanted : measured >= wanted;
+  }
 };
 
-// A table of the aims, named `name` in JSON. Writes nothing without aims.
+// A table of the aims, named `name` in JSON. Of an aim without a measured figure the reason stands in
+// the place of yes and no. Writes nothing without aims.
 void report_aims(const std::string& name, const std::vector<Aim>& aims,
                  const BenchOptions& options);
 
