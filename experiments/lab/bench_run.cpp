@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/lab/bench_run.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -38,9 +39,18 @@ std::uint64_t total(const StageCounts& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
+std::uint64_t BenchRun::external() const {
+  std::uint64_t sum = 0;
+  for (const StructureLedger& ledger : structures) sum += ledger.external;
+  return sum;
+}
+
 bool same_events(const BenchRun& one, const BenchRun& other) {
-  return !one.asked.corrupt && !other.asked.corrupt && one.events == other.events &&
-         one.asked.external == other.asked.external;
+  const auto alike = [](const StructureLedger& a, const StructureLedger& b) {
+    return !a.corrupt && !b.corrupt && a.failures == b.failures && a.external == b.external;
+  };
+  return one.events == other.events && alike(one.asked, other.asked) &&
+         std::ranges::equal(one.structures, other.structures, alike);
 }
 
 BenchRun run_once(const Scene& scene, const BenchWay& way) {

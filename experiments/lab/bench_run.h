@@ -18,7 +18,7 @@ namespace kinex::lab {
 // What runs otherwise than a simulation (a floor, a replay) fills in `seconds` and what it counts.
 struct BenchRun {
   double build = 0;          // seconds of building the structures
-  double seconds = 0;        // .. of the run, from then on
+  double seconds = 0;        // .. of the run from then on, without the above
   std::uint64_t events = 0;  // certificate failures
   std::uint64_t peak_bytes = 0;
   StructureLedger asked = {};                    // of the first structure of "maintain"
@@ -31,12 +31,15 @@ struct BenchRun {
   StageCounts failures() const;
   StageCounts looks() const;
   StageCounts comparisons() const;
+  // External events of all structures.
+  std::uint64_t external() const;
 };
 
 // The sum over all stages.
 std::uint64_t total(const StageCounts& counts);
 
-// Neither is corrupt, and they have as many events and changes of the attribute.
+// Nothing is corrupt, and every structure, those read included, has as many failures and external
+// events in both. (ChangesDigest: are these the same ones?)
 bool same_events(const BenchRun& one, const BenchRun& other);
 
 // How a scene is run.

@@ -3,18 +3,25 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <functional>
+#include <iterator>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "experiments/lab/bench_aims.h"
+#include "experiments/lab/bench_changes.h"
 #include "experiments/lab/bench_row.h"
 #include "experiments/lab/bench_run.h"
 #include "experiments/lab/family.h"
+#include "experiments/lab/temporary_folder.h"
 
 namespace kinex::lab {
 namespace bench_test {
 
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
@@ -99,6 +106,101 @@ TEST(BenchRun, EventsAreTheSameIfNothingIsCorrupt) {
   one.events = 3;
   other.asked.corrupt = true;
   EXPECT_FALSE(same_events(one, other));
+}
+
+TEST(BenchRun, EventsOfStructuresThatAreReadAreComparedToo) {
+  StructureLedger read, asked;
+  read.failures = 2, read.external = 1;
+  asked.failures = 3, asked.external = 3;
+  const BenchRun one{.events = 5, .asked = asked, .structures = {read, asked}};
+  EXPECT_EQ(one.external(), 4u);
+  BenchRun other = one;
+  EXPECT_TRUE(same_events(one, other));
+  other.structures[0].external = 2;
+  EXPECT_FALSE(same_events(one, other));
+  other = one;
+  other.structures[0].failures = 3;  // the totals and the structure in question are as before
+  other.structures[1].failures = 2;
+  EXPECT_FALSE(same_events(one, other));
+  other = one;
+  other.structures[0].corrupt = true;
+  EXPECT_FALSE(same_events(one, other));
+  other = one;
+  other.structures.pop_back();
+  EXPECT_FALSE(same_events(one, other));
+}
+
+// Where three lines meet three certificates fail, in doubles at instants of their own: other changes are
+// reported, though as many certificates fail.
+TEST(BenchRun, ChangesOfTwoArithmeticsCanBeCompared) {
+  const auto digest_of = [](const BenchRow& row, const char* arithmetic, BenchRun& run) {
+    ChangesDigest digest;
+    BenchWay way{.arithmetic = arithmetic};
+    way.prepare = [&digest](Simulator& simulator) { simulator.set_sink(&digest, false); };
+    run = run_once(scene_of(row), way);
+    return digest.value();
+  };
+  BenchRun exact, other;
+  const BenchRow points = speed_row("closest_pair_delaunay", "uniform-square", 1, 20);
+  const std::uint64_t changes = digest_of(points, "exact", exact);
+  EXPECT_NE(changes, 0u);
+  EXPECT_EQ(digest_of(points, "sturm", other), changes);
+  EXPECT_TRUE(same_events(exact, other));
+  EXPECT_NE(digest_of(speed_row("closest_pair_delaunay", "uniform-square", 1, 21), "exact", other),
+            changes);
+  const BenchRow lines = speed_row("line_arrangement_2", "random-lines", 1, 20);
+  const std::uint64_t triples = digest_of(lines, "exact", exact);
+  EXPECT_NE(digest_of(lines, "double", other), triples);
+  EXPECT_FALSE(same_events(exact, other));
+  EXPECT_EQ(other.events, exact.events);
+}
+
+TEST(ChangesDigest, DependsOnExternalEventsAndNotOnTheirOrder) {
+  const std::unique_ptr<Arithmetic> numbers = make_arithmetic("double", Scene{});
+  Event one;
+  one.structure = 1;
+  one.kind = 2;
+  one.count = 2;
+  one.external = true;
+  one.ids = {3, 4};
+  Event two = one;
+  two.ids = {4, 3};
+  const auto digest_of = [&](const std::vector<Event>& events) {
+    ChangesDigest digest;
+    for (const Event& event : events) digest.event(event, *numbers);
+    return digest.value();
+  };
+  EXPECT_EQ(digest_of({one, two}), digest_of({two, one}));
+  EXPECT_NE(digest_of({one}), digest_of({two}));
+  EXPECT_NE(digest_of({one, one}), digest_of({one}));
+  Event internal = two;
+  internal.external = false;
+  EXPECT_EQ(digest_of({one, internal}), digest_of({one}));
+  const std::vector<ObjectId> left{7};
+  two = one;
+  two.gone = left;
+  EXPECT_NE(digest_of({one}), digest_of({two}));
+  two.gone = {};
+  two.came = left;
+  EXPECT_NE(digest_of({one}), digest_of({two}));
+}
+
+TEST(BenchAims, ReasonStandsInThePlaceOfTheAnswer) {
+  const TemporaryFolder folder;
+  BenchOptions options;
+  options.markdown = folder.path() / "aims.md";
+  report_aims("some_aims", {{"a", 2, 1.5, true}, {"b", 2, 2.5, true}, {"c", 2, 2.5, false}},
+              options);
+  report_aims("no_aims", {}, options);
+  report_aims("other_aims", {{"d", 2, 0, true, "doubles become corrupt"}}, options);
+  std::ifstream file(options.markdown);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(text, HasSubstr("\nAims.\n"));
+  EXPECT_THAT(text, HasSubstr("| a | 2.00 | 1.50 | yes |\n"));
+  EXPECT_THAT(text, HasSubstr("| b | 2.00 | 2.50 | no |\n"));
+  EXPECT_THAT(text, HasSubstr("| c | 2.00 | 2.50 | yes |\n"));
+  EXPECT_THAT(text, HasSubstr("| d | 2.00 | 0.00 | doubles become corrupt |\n"));
+  EXPECT_THAT(text, HasSubstr("nothing could be measured"));
 }
 
 TEST(BenchRun, WaysTakeTurnsAndTheBestOfEachCounts) {
