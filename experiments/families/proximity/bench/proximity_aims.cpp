@@ -1,57 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: do the structures for near points, triangulations and arrangements reach the speed that they are
-//   to have: time in `exact` over that in doubles, events and changes per second, trees against the
-//   triangulation that they read?
-// Workload: the linear rows of `speed` of three families. Rounds of both arithmetics are interleaved, and the best
-//   of each counts: three or more, up to a second. Times are thread CPU time of the whole run, structures that
-//   are read included.
-// Ratio: 0 where doubles handle other events than `exact`, or do not end, and for more than 5000 points, which are
-//   run in `exact` alone.
+//   to have: time in `exact` over that in doubles, failures and external events per second, trees against
+//   the triangulation that they read?
+// Workload: the linear rows of `speed` of three families, without those full of ties or of new plans. Rounds
+//   of both arithmetics are interleaved, and the best of each counts: three or more, up to a second.
+// Times: thread CPU time of the run, structures that are read included; that of building them at the start is
+//   a column of its own, and in no rate or ratio. Some rows stop after a number of failures, as a column says.
+// Ratio: of runs with the same failures and the same external events (ChangesDigest) of all structures; else
+//   0, and a column says what doubles do. More than 5000 points are run in `exact` alone.
+// Aims of ratios: of structures whose own certificates are of degree 2 or less (kHigherDegree). Those that doubles
+//   do not follow on a scene are listed, too.
 // Output: see result_table.h; options: see bench_options.h. A run in part (--rows) has no aims.
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
+#include <set>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "experiments/lab/bench_aims.h"
+#include "experiments/lab/bench_changes.h"
 #include "experiments/lab/bench_row.h"
 #include "experiments/lab/bench_run.h"
 #include "experiments/lab/family.h"
 #include "experiments/lab/result_table.h"
+#include "experiments/lab/workload.h"
+#include "structures/plan.h"
 
 namespace {
 
 using namespace kinex;
 
 constexpr std::array<std::string_view, 3> kFamilies{"proximity", "triangulation", "arrangement"};
-// Their certificates, of linear motion, are of a degree above 2; those of the others are not.
-constexpr std::array<std::string_view, 5> kHigherDegree{"delaunay_2", "delaunay_3", "regular_2",
-                                                        "regular_3", "closest_pair_discs"};
+// Structures with certificates of their own of a degree above 2 in linear motion, and the degree. Others
+// may read one of these.
+const std::map<std::string_view, int> kHigherDegree{{"delaunay_2", 4},
+                                                    {"delaunay_3", 5},
+                                                    {"regular_2", 4},
+                                                    {"regular_3", 5},
+                                                    {"closest_pair_discs", 4},
+                                                    {"closest_point_line", 6},
+                                                    {"closest_point_line_vertical", 4}};
+constexpr int kUsualDegree = 2;
+constexpr std::array<std::string_view, 2> kInSpace{"delaunay_3",
+                                                   "regular_3"};  // with an aim all the same
 constexpr double kMostRatio = 1.3, kMostRatioInSpace = 1.5;
-constexpr double kLeastSeconds = 1;
+constexpr double kLeastSeconds = 0.7;
 // Of more points doubles may take hours: a structure that has lost its way makes all anew at every instant.
 constexpr int kMostInDoubles = 5000;
+constexpr std::string_view kSame = "report the same", kNotRun = "are not run";
 
 struct Measured {
-  std::string_view structure;
-  std::string scene;  // its workload, "uniform-square in space"
-  int n = 0;
-  lab::BenchRun exact;
-  double ratio = 0;  // over doubles; 0: these handle other events
+  std::string_view structure, scene;  // its workload
+  int axes = 0, n = 0;
+  bool whole = false;  // the run goes on to the end of the scene
+  int degree =
+      0;  // the highest of certificates that were asked, those of structures that are read included
+  lab::BenchRun exact = {};
+  std::string_view doubles = kNotRun;  // what they do
+  double ratio = 0;                    // over doubles that report the same
 };
 
 bool is_one_of(std::string_view name, const auto& names) {
   return std::ranges::find(names, name) != names.end();
 }
 
-// Changes that all structures of the run report, those that are read included.
-double changes_per_second(const lab::BenchRun& run) {
-  std::uint64_t changes = 0;
-  for (const StructureLedger& ledger : run.structures) changes += ledger.processed;
-  return static_cast<double>(changes) / run.seconds;
+double per_second(std::uint64_t count, const lab::BenchRun& run) {
+  return static_cast<double>(count) / run.seconds;
 }
 
 std::vector<lab::BenchRow> linear_rows(const lab::BenchOptions& options) {
@@ -61,82 +80,161 @@ std::vector<lab::BenchRow> linear_rows(const lab::BenchOptions& options) {
     if (family == nullptr || !is_one_of(family->name, kFamilies) || row.parameters.degree != 1)
       continue;
     // Scenes full of ties and of new plans have rows of their own in `speed`.
-    if (row.workload != "uniform-square" && !row.workload.starts_with("random-") &&
-        row.workload != "apart-discs")
-      continue;
+    const lab::SceneKind kind = lab::find_workload(row.workload)->scenes;
+    if (kind == lab::SceneKind::kTies || kind == lab::SceneKind::kNewPlans) continue;
     if (!is_one_of("double", row.arithmetics) || row.parameters.n >= 100'000) continue;
     rows.push_back(std::move(row));
   }
   return rows;
 }
 
+// A run that is not timed, and the digest of its changes.
+struct Reported {
+  lab::BenchRun run;
+  std::uint64_t changes = 0;
+  int degree = 0;
+};
+
+Reported reported_by(const Scene& scene, lab::BenchWay way) {
+  Reported result;
+  lab::ChangesDigest digest;
+  way.prepare = [&digest](Simulator& simulator) { simulator.set_sink(&digest, false); };
+  way.inspect = [&result](const Simulator& simulator) {
+    const Arithmetic& numbers = simulator.arithmetic();
+    for (PredicateId id = 0; id < numbers.predicates(); ++id) {
+      if (lab::total(numbers.counters().by_predicate[id].failures) == 0) continue;
+      result.degree = std::max(result.degree, numbers.predicate(id).degree(1));
+    }
+  };
+  result.run = lab::run_once(scene, way);
+  result.changes = digest.value();
+  return result;
+}
+
+std::string_view verdict_on(const Reported& doubles, const Reported& exact, std::uint64_t most) {
+  const bool corrupt = std::ranges::any_of(doubles.run.structures, &StructureLedger::corrupt);
+  if (corrupt) return "become corrupt";
+  if (doubles.run.events >= most && exact.run.events < most) return "do not end";
+  const bool same = lab::same_events(doubles.run, exact.run) && doubles.changes == exact.changes;
+  return same ? kSame : "handle other events";
+}
+
+// Throws std::runtime_error if a structure is missing in kHigherDegree.
+void check_degree(const Measured& m, const Scene& scene) {
+  int most = kUsualDegree;
+  for (const PlannedStructure& planned : plan_structures(scene)) {
+    const auto known = kHigherDegree.find(planned.request.structure);
+    if (known != kHigherDegree.end()) most = std::max(most, known->second);
+  }
+  if (m.degree <= most) return;
+  throw std::runtime_error("proximity_aims: certificates of " + std::string(m.structure) +
+                           " have degree " + std::to_string(m.degree) + ", not " +
+                           std::to_string(most) + ": add it to kHigherDegree");
+}
+
 Measured measure(const lab::BenchRow& row, const lab::BenchOptions& options) {
   const Scene scene = lab::scene_of(row);
-  const lab::BenchRun first = lab::run_once(scene, {.arithmetic = "exact", .events = row.events});
+  const Reported exact = reported_by(scene, {.arithmetic = "exact", .events = row.events});
+  Measured m{row.structure, row.workload, scene.dimension, row.parameters.n};
+  m.whole = row.events == 0 || exact.run.events < row.events;
+  m.degree = exact.degree;
+  check_degree(m, scene);
   // Doubles that cycle are stopped.
-  const std::uint64_t most = row.events != 0 ? row.events : 4 * first.events + 1000;
+  const std::uint64_t most = row.events != 0 ? row.events : 4 * exact.run.events + 1000;
+  if (row.parameters.n <= kMostInDoubles)
+    m.doubles =
+        verdict_on(reported_by(scene, {.arithmetic = "double", .events = most}), exact, most);
   std::vector<lab::BenchWay> ways{{.arithmetic = "exact", .events = most}};
-  if (row.parameters.n <= kMostInDoubles) ways.push_back({.arithmetic = "double", .events = most});
+  if (m.doubles == kSame) ways.push_back({.arithmetic = "double", .events = most});
   const std::vector<lab::BenchRun> best = lab::best_runs(
       scene, ways, {.count = row.rounds, .least_seconds = options.smoke ? 0 : kLeastSeconds});
-  const bool same = best.size() == 2 && lab::same_events(best[0], best[1]);
-  // Rows without a dimension have as few axes as their structures allow.
-  const bool in_space = row.parameters.dimension == 3;
-  return {row.structure, std::string(row.workload) + (in_space ? " in space" : ""),
-          row.parameters.n, best[0], same ? best[0].seconds / best[1].seconds : 0};
+  m.exact = best[0];
+  if (m.doubles == kSame) m.ratio = best[0].seconds / best[1].seconds;
+  return m;
 }
 
 void add_row(const Measured& m, lab::ResultTable& table) {
-  const double events = static_cast<double>(m.exact.events);
-  table.row({m.structure, m.scene, m.n, m.exact.events, m.exact.seconds, events / m.exact.seconds,
-             changes_per_second(m.exact), m.ratio});
+  table.row({m.structure, m.scene, m.axes, m.n, m.whole ? "whole" : "stops early", m.degree,
+             m.exact.events, m.exact.external(), m.exact.build, m.exact.seconds,
+             per_second(m.exact.events, m.exact), per_second(m.exact.external(), m.exact),
+             m.doubles, m.ratio});
 }
 
-std::string place(const Measured& m) { return m.scene + ", n = " + std::to_string(m.n); }
+std::string place(const Measured& m) {
+  const char* const axes = m.axes == 1 ? " on one axis" : m.axes == 3 ? " in space" : "";
+  return std::string(m.scene) + axes + ", n = " + std::to_string(m.n);
+}
 
 // Both runs have the same flips; that of the tree has further events.
 void compare_trees(const std::vector<Measured>& rows, std::string_view triangulation, int n,
                    std::vector<lab::Aim>& aims) {
   const Measured *tree = nullptr, *read = nullptr;
   for (const Measured& m : rows) {
-    if (m.n != n || !m.scene.starts_with("uniform-square")) continue;
+    if (m.n != n || m.scene != "uniform-square" || !m.whole) continue;
     if (m.structure == "emst_cycles" && tree == nullptr) tree = &m;
     if (m.structure == triangulation && read == nullptr) read = &m;
   }
   if (tree == nullptr || read == nullptr) return;
-  const auto per_event = [](const Measured& m) {
+  const auto per_failure = [](const Measured& m) {
     return m.exact.seconds / static_cast<double>(m.exact.events);
   };
   const std::string both =
       " of emst_cycles over that of " + std::string(triangulation) + ", n = " + std::to_string(n);
   aims.push_back({"time" + both, 2, tree->exact.seconds / read->exact.seconds, true});
-  aims.push_back({"time per event" + both, 2, per_event(*tree) / per_event(*read), true});
+  aims.push_back({"time per failure" + both, 2, per_failure(*tree) / per_failure(*read), true});
 }
 
-// The aims of the rows; the worst row of each structure counts for its ratio, of those that have one.
-std::vector<lab::Aim> aims_of(const std::vector<Measured>& rows) {
-  std::vector<lab::Aim> aims;
+// The worst row of each structure, of those that have a ratio.
+std::map<std::string_view, const Measured*> worst_ratios(const std::vector<Measured>& rows) {
   std::map<std::string_view, const Measured*> worst;
   for (const Measured& m : rows) {
     if (m.ratio == 0) continue;
     const Measured*& known = worst[m.structure];
     if (known == nullptr || m.ratio > known->ratio) known = &m;
   }
-  for (const auto& [structure, m] : worst) {
-    const bool in_space = structure == "delaunay_3" || structure == "regular_3";
-    if (is_one_of(structure, kHigherDegree) && !in_space) continue;
-    const double most = in_space ? kMostRatioInSpace : kMostRatio;
-    aims.push_back(
-        {"exact / double of " + std::string(structure) + ", " + place(*m), most, m->ratio, true});
-  }
+  return worst;
+}
+
+bool has_aim(std::string_view structure) {
+  return !kHigherDegree.contains(structure) || is_one_of(structure, kInSpace);
+}
+
+// One for each structure, and one for each scene on which doubles do not follow it.
+void compare_with_doubles(const std::vector<Measured>& rows, std::vector<lab::Aim>& aims) {
+  const std::map<std::string_view, const Measured*> worst = worst_ratios(rows);
+  std::set<std::string_view> structures;
   for (const Measured& m : rows) {
-    if (m.structure == "delaunay_3" && m.scene.starts_with("uniform-square")) {
-      aims.push_back({"events per second of delaunay_3, n = " + std::to_string(m.n), 100'000,
-                      static_cast<double>(m.exact.events) / m.exact.seconds, false});
+    if (has_aim(m.structure)) structures.insert(m.structure);
+  }
+  for (const std::string_view structure : structures) {
+    const double most = is_one_of(structure, kInSpace) ? kMostRatioInSpace : kMostRatio;
+    const auto what = [](const Measured& m) {
+      return "exact / double of " + std::string(m.structure) + ", " + place(m);
+    };
+    const auto known = worst.find(structure);
+    if (known != worst.end()) {
+      const Measured& m = *known->second;
+      aims.push_back({what(m), most, m.ratio, true});
+    }
+    for (const Measured& m : rows) {
+      if (m.structure != structure || m.ratio != 0) continue;
+      if (m.doubles == kNotRun && known != worst.end()) continue;  // a larger size
+      aims.push_back({what(m), most, 0, true, "doubles " + std::string(m.doubles)});
+    }
+  }
+}
+
+std::vector<lab::Aim> aims_of(const std::vector<Measured>& rows) {
+  std::vector<lab::Aim> aims;
+  compare_with_doubles(rows, aims);
+  for (const Measured& m : rows) {
+    if (m.structure == "delaunay_3" && m.scene == "uniform-square") {
+      aims.push_back({"failures per second of delaunay_3, n = " + std::to_string(m.n), 100'000,
+                      per_second(m.exact.events, m.exact), false});
     }
     if (m.structure == "closest_pair_local" && m.n == 10'000) {
-      aims.push_back({"changes per second of closest_pair_local, n = 10000", 500'000,
-                      changes_per_second(m.exact), false});
+      aims.push_back({"external events per second of closest_pair_local, n = 10000", 500'000,
+                      per_second(m.exact.external(), m.exact), false});
     }
   }
   compare_trees(rows, "delaunay_2", 1000, aims);
@@ -144,29 +242,62 @@ std::vector<lab::Aim> aims_of(const std::vector<Measured>& rows) {
   return aims;
 }
 
+// Structures whose ratio has no aim, with the worst one.
+void report_others(const std::vector<Measured>& rows, const lab::BenchOptions& options) {
+  const std::map<std::string_view, const Measured*> worst = worst_ratios(rows);
+  lab::ResultTable table(
+      options, "proximity_without_aim",
+      "No aim for exact / double: structures with certificates of their own of a "
+      "degree above 2, and the worst ratio measured (0: none could be).",
+      {{"structure", lab::ResultTable::kText, 27},
+       {"degree", 0},
+       {"scene", lab::ResultTable::kText, 42},
+       {"time_over_double", 2}});
+  for (const auto& [structure, degree] : kHigherDegree) {
+    if (has_aim(structure)) continue;
+    const auto known = worst.find(structure);
+    table.row({structure, degree, known == worst.end() ? "-" : place(*known->second),
+               known == worst.end() ? 0 : known->second->ratio});
+  }
+}
+
 void proximity_aims(const lab::BenchOptions& options) {
   std::vector<Measured> rows;
   {
     lab::ResultTable table(
         options, "proximity_speed",
-        "Near points, triangulations, arrangements, in exact arithmetic: whole runs of linear "
-        "motion, what is read included; events are certificate failures, changes what structures "
-        "report; time over double (0: doubles handle other events, or were not run).",
-        {{"structure", lab::ResultTable::kText, 26},
+        "Near points, triangulations, arrangements, in exact arithmetic, linear motion, structures "
+        "that "
+        "are read included. Seconds are those from the end of the construction (build seconds) to "
+        "the end of the scene, or of the first failures where the run stops early; rates and "
+        "ratios are of these seconds. Degree: the highest of a certificate of the run. Failures: "
+        "of "
+        "certificates. External events: changes of the attributes of all structures of the run, "
+        "those "
+        "that are read included. Time over double: 0 where doubles do not report the same changes "
+        "or were not run.",
+        {{"structure", lab::ResultTable::kText, 29},
          {"scene", lab::ResultTable::kText, 23},
+         {"axes", 0},
          {"n", 0, 6},
-         {"events", 0, 9},
+         {"run", lab::ResultTable::kText, 11},
+         {"degree", 0},
+         {"failures", 0, 9},
+         {"external_events", 0},
+         {"build_seconds", 4},
          {"seconds", 4},
-         {"events_per_second", 0},
-         {"changes_per_second", 0},
+         {"failures_per_second", 0},
+         {"external_events_per_second", 0},
+         {"doubles", lab::ResultTable::kText, 19},
          {"time_over_double", 2}});
     for (const lab::BenchRow& row : linear_rows(options)) {
       rows.push_back(measure(row, options));
       add_row(rows.back(), table);
     }
   }
-  if (!options.smoke && options.rows.empty())
-    lab::report_aims("proximity_aims", aims_of(rows), options);
+  if (options.smoke || !options.rows.empty()) return;
+  lab::report_aims("proximity_aims", aims_of(rows), options);
+  report_others(rows, options);
 }
 
 }  // namespace
