@@ -42,13 +42,30 @@ struct Scenes {
 // By what the structure is for.
 std::vector<Scenes> scenes_for(const StructureInfo& info) {
   if (info.graph) return {{"random-graph", 64, 16, 0}, {"random-graph", 256, 64, 0}, {"parallel-edges", 32, 1, 0}};
-  if (info.lines != LineUse::kNone) {
-    return {{"random-lines-and-points", 32, 0, 0},
-            {"random-lines-and-points", 128, 0, 0},
-            {"points-through-lines", 12, 12, 0}};
+  if (info.lines == LineUse::kAlone) {
+    return {{"random-lines", 16, 0, 0},
+            {"random-lines", 64, 0, 0},
+            {"three-bundles", 24, 0, 0},
+            {"turning-pencil", 12, 0, 0}};
+  }
+  if (info.lines == LineUse::kWithPoints) {
+    std::vector<Scenes> scenes{{"random-lines-and-points", 32, 0, 0},
+                               {"random-lines-and-points", 128, 0, 0},
+                               {"points-through-lines", 12, 12, 0}};
+    // A cutting has fewer certificates than all pairs only of many lines and points.
+    if (info.group == "incidences")
+      scenes.insert(scenes.begin() + 2, {"random-lines-and-points", 512, 0, 0});
+    return scenes;
   }
   if (info.extents == Extents::kHalfExtents) {
     return {{"random-boxes", 32, 0, 0}, {"random-boxes", 128, 0, 0}, {"fan-of-boxes", 12, 0, 0}};
+  }
+  if (info.name == "closest_pair_discs") {  // of discs that overlap the pair hardly ever changes
+    return {{"apart-discs", 32, 0, 2},
+            {"apart-discs", 128, 0, 2},
+            {"apart-discs", 512, 0, 2},
+            {"gaps-along-row", 8, 8, 0},
+            {"apart-discs", 32, 0, 3}};
   }
   if (info.extents == Extents::kRadius) {
     return {{"random-discs", 32, 0, 0},
