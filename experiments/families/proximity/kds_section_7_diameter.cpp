@@ -97,7 +97,12 @@ lab::PartReport kds_section_7_diameter_report(const lab::StudyResult& result,
   if (!fit) return report;
   lab::PaperClaim claim = open_question(
       "7.8.diameter", "How long is the longest path of a minimum spanning tree of random points?",
-      lab::fit_text(*fit), {kTree, "uniform-square"});
+      lab::fit_text(*fit) +
+          ". The longest path grows faster than the side of a square grid of as many points, "
+          "n^(1/2), "
+          "and far slower than the points. It is the cost of an edge at worst: most paths are "
+          "shorter",
+      {kTree, "uniform-square"});
   claim.place = "section 7";
   claim.command = command;
   claim.assumptions = {"independent uniform points of the unit square"};

@@ -111,6 +111,30 @@ void add_pair_claims(const std::vector<lab::SeriesResult>& results, lab::PartRep
                 [](double n, double) { return 8 * n - 5; }}));
 }
 
+// The report's partition into bins, where all pairs exchange their order far apart.
+lab::PaperClaim grid_at_worst(const std::vector<lab::SeriesResult>& results) {
+  const KdsRuns grid{"closest_pair_bins", kFarExchanges};
+  std::string observed = "events";
+  const std::vector<lab::FitPoint> events = means_of(results, grid, "processed");
+  for (const lab::FitPoint& point : events) {
+    observed += fmt::format("{}{:.0f} at n = {:.0f}", &point == &events.front() ? " " : ", ",
+                            point.count, point.n);
+  }
+  if (const auto fit = lab::fit_power(events)) observed += "; " + lab::fit_text(*fit);
+  const std::vector<lab::FitPoint> certificates = means_of(results, grid, "max_live");
+  if (const auto fit = lab::fit_power(certificates)) {
+    observed += "; certificates: " + lab::fit_text(*fit);
+  }
+  observed +=
+      ". The points crowd into few cells there: nearly all pairs are near ones, and it saves "
+      "little";
+  return open_question("7.7.bins",
+                       "Bins avoid exchanges of points that are far apart, but at some point the "
+                       "cost of moving points from bin to bin becomes significant. How many "
+                       "events has a grid on exchange-in-all-orders, where lists do worst?",
+                       std::move(observed), grid);
+}
+
 // What sorting costs.
 void add_sorting_claims(const std::vector<lab::SeriesResult>& results, lab::PartReport& report) {
   const KdsRuns listed{"octants_listed", kPairUniform}, local{"octants_local", kPairUniform};
@@ -144,6 +168,7 @@ void add_sorting_claims(const std::vector<lab::SeriesResult>& results, lab::Part
                     "What is the worst number of events of a structure for the closest pair without "
                     "sorted lists? On exchange-in-all-orders, where lists do worst:",
                     observed, {"octants_local", kFarExchanges}));
+  report.claims.push_back(grid_at_worst(results));
 }
 
 void add_colour_claims(const std::vector<lab::SeriesResult>& results, lab::PartReport& report) {
@@ -158,6 +183,11 @@ void add_colour_claims(const std::vector<lab::SeriesResult>& results, lab::PartR
       ratios_of(results, {"bichromatic_pair_delaunay", kPairUniform}, "processed", "external");
   observed += "; on random motion " + ratio_text(random);
   if (const auto fit = lab::fit_power(random)) observed += "; " + lab::fit_text(*fit);
+  observed +=
+      ". On the row, where the pair changes most often, the events for a change level off; on "
+      "random "
+      "motion, where it changes seldom, they grow like the root of n. No scene here comes near the "
+      "worst case of the triangulation";
   report.claims.push_back(open_question(
       "7.6.efficient",
       "Is there a responsive, compact, local and efficient structure for the closest pair of two "
@@ -183,6 +213,10 @@ void add_disc_claims(const std::vector<lab::SeriesResult>& results, lab::PartRep
   if (const auto fit = lab::fit_power(local)) {
     observed += "; the most certificates of one disc there: " + lab::fit_text(*fit);
   }
+  observed +=
+      ". As for points of two colours: on the row the events for a change level off, on random "
+      "motion they grow like the root of n. That one disc is in few certificates there is due to "
+      "small radii, which hardly matter (7.6.balls-local has the other case)";
   report.claims.push_back(open_question(
       "7.6.balls-efficient",
       "Is there a responsive, compact, local and efficient structure for the closest pair of balls of "
@@ -200,6 +234,11 @@ std::vector<lab::SeriesPoint> kds_section_7_pairs_points(bool quick) {
       if (quick && n > 64) continue;
       points.push_back(kds_single({method.structure, kFarExchanges}, n));
     }
+  }
+  for (const int n : {8, 16, 32, 64, 128}) {
+    if (quick && n > 32) continue;
+    points.push_back(kds_single({"closest_pair_bins", kFarExchanges}, n));
+    points.back().cost = n * n / 10000.0;
   }
   for (const PairMethod& method : kPairMethods) {
     add_random_pairs(points, method, quick);

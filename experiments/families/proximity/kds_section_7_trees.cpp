@@ -32,7 +32,10 @@ constexpr KdsRuns kList{"emst_list", kTreeUniform}, kCycles{"emst_cycles", kTree
     kListRow{"emst_list", kTreeRow}, kCyclesRow{"emst_cycles", kTreeRow},
     kNormList{"mst_maximum_norm_list", kTreeUniform},
     kNormCycles{"mst_maximum_norm_cycles", kTreeUniform},
-    kNormRow{"mst_maximum_norm_cycles", kTreeRow}, kGraphList{"graph_mst_list", "parallel-edges"},
+    kNormRow{"mst_maximum_norm_cycles", kTreeRow}, kPolygonList{"mst_polygon_list", kTreeUniform},
+    kPolygonCycles{"mst_polygon_cycles", kTreeUniform},
+    kPolygonListRow{"mst_polygon_list", kTreeRow}, kPolygonRow{"mst_polygon_cycles", kTreeRow},
+    kGraphList{"graph_mst_list", "parallel-edges"},
     kGraphCycles{"graph_mst_cycles", "parallel-edges"},
     kRandomGraph{"graph_mst_cycles", "random-graph"}, kClusters{"emst_clusters", kTreeUniform},
     kClustersRow{"emst_clusters", kTreeRow}, kGraphClusters{"graph_mst_clusters", "parallel-edges"},
@@ -86,6 +89,48 @@ void add_norm_claims(const std::vector<lab::SeriesResult>& results, lab::PartRep
        "changes", 2.5, KdsPower::kOnAllMotion}));
 }
 
+void add_polygon_claims(const std::vector<lab::SeriesResult>& results, lab::PartReport& report) {
+  for (const KdsRuns& runs : {kPolygonList, kPolygonListRow}) {
+    const bool row = runs.workload == kTreeRow;
+    report.claims.push_back(bound_claim(
+        results, {row ? "7.8.polygon-compact.row" : "7.8.polygon-compact",
+                  "The tree in a polyhedral metric, here that of a polygon of 12 corners, has a "
+                  "compact structure.",
+                  runs, "max_live", "certificates, those of the cones included",
+                  row ? "84n - 1 for n points of each kind" : "42n - 1",
+                  row ? [](double n, double) { return 84 * n - 1; }
+                      : [](double n, double) { return 42 * n - 1; }}));
+    report.claims.back().assumptions.push_back(
+        "the structure, by the order of the pairs of points that are next in a cone, is ours");
+  }
+  report.claims.push_back(agreement_claim(
+      results, "7.8.polygon-same-changes",
+      "The order of all pairs of cones proves the tree in the metric of a polygon, and so do their "
+      "cycles.",
+      kPolygonListRow, {kPolygonList.structure, kPolygonCycles.structure}));
+  report.claims.push_back(open_question(
+      "7.8.polygon-efficient",
+      "The report has structures for a polyhedral metric, not necessarily efficient ones. Events "
+      "for each change of the tree in the metric of a polygon of 12 corners, those of the cones "
+      "included:",
+      power_text("by order, random motion",
+                 ratios_of(results, kPolygonList, "processed", "external")) +
+          "; " +
+          power_text("by cycles, random motion",
+                     ratios_of(results, kPolygonCycles, "processed", "external")) +
+          "; " +
+          power_text("by order, pass-along-row",
+                     ratios_of(results, kPolygonListRow, "processed", "external")) +
+          "; " +
+          power_text("by cycles, pass-along-row",
+                     ratios_of(results, kPolygonRow, "processed", "external")) +
+          "; the price of cycles is certificates: " +
+          power_text("of random motion, at most", means_of(results, kPolygonCycles, "max_live")) +
+          ". By order the events for a change grow with the points. By cycles hardly, but the "
+          "bound on that proof is not linear",
+      kPolygonRow));
+}
+
 void add_euclidean_claims(const std::vector<lab::SeriesResult>& results, lab::PartReport& report) {
   report.claims.push_back(count_claim(
       results, {"7.10.lower", "The Euclidean tree changes Omega(n^2) times on linear motions.",
@@ -124,7 +169,10 @@ void add_euclidean_claims(const std::vector<lab::SeriesResult>& results, lab::Pa
                      ratios_of(results, kClustersRow, "processed", "external")) +
           "; the price of cycles is certificates: " +
           power_text("of random motion, at most", means_of(results, kCycles, "max_live")) +
-          "; by clusters " + power_text("at most", means_of(results, kClusters, "max_live")),
+          "; by clusters " + power_text("at most", means_of(results, kClusters, "max_live")) +
+          ". By order the events for a change grow in proportion to the points; by cycles they are "
+          "few. But that proof is not compact at worst, and nothing here bounds the flips of the "
+          "triangulation by the changes of the tree",
       kCyclesRow));
 }
 
@@ -218,6 +266,15 @@ std::vector<lab::SeriesPoint> kds_section_7_trees_points(bool quick) {
   add_sizes(points, kClusters, {18, 25, 35, 50, 70, 100, 200}, 50, quick);
   add_sizes(points, kNormList, {12, 18, 25, 35, 50, 100, 200}, 50, quick);
   add_sizes(points, kNormCycles, {12, 18, 25, 35, 50, 100, 200}, 50, quick);
+  add_sizes(points, kPolygonList, {12, 18, 25, 35, 50, 70, 100}, 35, quick);
+  add_sizes(points, kPolygonCycles, {12, 18, 25, 35, 50, 100, 200}, 50, quick);
+  for (const int n : {3, 4, 6, 8, 12}) {
+    if (quick && n > 8) continue;
+    for (const KdsRuns& runs : {kPolygonListRow, kPolygonRow}) {
+      points.push_back(kds_single(runs, n, n));
+      points.back().cost = n * n * n / 5000.0;
+    }
+  }
   for (const int n : {3, 4, 6, 8, 12, 16, 24}) {
     if (quick && n > 12) continue;
     for (const KdsRuns& runs : {kListRow, kCyclesRow, kClustersRow, kNormRow}) {
@@ -253,6 +310,7 @@ lab::PartReport kds_section_7_trees_report(const std::vector<lab::SeriesResult>&
                                            const std::string& command) {
   lab::PartReport report;
   add_norm_claims(results, report);
+  add_polygon_claims(results, report);
   add_euclidean_claims(results, report);
   add_planar_claims(results, report);
   add_graph_claims(results, report);

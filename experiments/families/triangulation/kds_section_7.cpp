@@ -97,11 +97,11 @@ lab::PartReport kds_section_7_delaunay_report(const std::vector<lab::SeriesResul
   report.claims.push_back(
       growth_claim(means_of(results, kQuadratic, "external"),
                    {"7.2.lower", "The triangulation changes Omega(n^2) times on linear motions.",
-                    kRandomSites, "changes", 2, KdsPower::kAtLeast}));
-  report.claims.push_back(
-      growth_claim(means_of(results, kQuadratic, "external"),
-                   {"7.2.upper", "The triangulation changes a nearly cubic number of times at most.",
-                    kRandomSites, "changes", 3, KdsPower::kOnAllMotion}));
+                    kQuadratic, "changes", 2, KdsPower::kAtLeast}));
+  report.claims.push_back(growth_claim(
+      means_of(results, kQuadratic, "external"),
+      {"7.2.upper", "The triangulation changes a nearly cubic number of times at most.", kQuadratic,
+       "changes", 3, KdsPower::kOnAllMotion}));
   // One that passes, and as many as there are points in a row.
   std::vector<lab::SeriesResult> one, many;
   for (const lab::SeriesResult* result : results_of(results, kSkewRows, 3)) {
@@ -129,6 +129,11 @@ lab::PartReport kds_section_7_delaunay_report(const std::vector<lab::SeriesResul
       "changes of the triangulation", {1.5, 2, 3}, std::move(curves)));
   report.figure_names = {"section-7-delaunay"};
   finish_section_7(report, results, command);
+  // Of six points of each kind the second program would look at 495 sets of four for a minute.
+  for (lab::PaperClaim& claim : report.claims) {
+    if (claim.small_run.workload != kQuadratic.workload) continue;
+    claim.small_run.parameters.n = claim.small_run.parameters.m = 4;
+  }
   return report;
 }
 
