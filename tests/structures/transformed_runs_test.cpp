@@ -16,7 +16,17 @@ namespace transformed_runs_test {
 
 using Ids = std::vector<ObjectId>;
 
-enum class Made { kPlane, kSpace, kGraph, kWeightedPlane, kWeightedSpace, kLines, kLinesAndPoints };
+// kMovedLines: lines and points whose distances are kept by translations alone.
+enum class Made {
+  kPlane,
+  kSpace,
+  kGraph,
+  kWeightedPlane,
+  kWeightedSpace,
+  kLines,
+  kLinesAndPoints,
+  kMovedLines
+};
 
 struct Row {
   std::vector<Request> requests;  // for one attribute
@@ -41,6 +51,10 @@ const std::vector<Row>& table() {
         ask("graph_mst_sparsified")},
        Made::kGraph,
        2},
+      {{ask("mst_maximum_norm_list"), ask("mst_maximum_norm_cycles"),
+        ask("mst_maximum_norm_clusters")},
+       Made::kPlane,
+       2},
       {{ask("mst_polygon_list"), ask("mst_polygon_cycles"), ask("mst_polygon_clusters")},
        Made::kPlane},
       {{ask("octants_listed"), ask("octants_local")}, Made::kPlane, 2},
@@ -51,18 +65,23 @@ const std::vector<Row>& table() {
       {{ask("regular_3")}, Made::kWeightedSpace},
       {{ask("line_arrangement_2")}, Made::kLines},
       {{ask("trapezoids_2")}, Made::kLines},
-      {{ask("points_in_arrangement")}, Made::kLinesAndPoints}};
+      {{ask("points_in_arrangement")}, Made::kLinesAndPoints},
+      {{ask("closest_point_line_vertical")}, Made::kLinesAndPoints},
+      {{ask("closest_point_line")}, Made::kMovedLines}};
   return kRows;
 }
 
 bool has_weights(Made made) { return made == Made::kWeightedPlane || made == Made::kWeightedSpace; }
+bool has_points_and_lines(Made made) {
+  return made == Made::kLinesAndPoints || made == Made::kMovedLines;
+}
 int dimension_of(Made made) {
   return made == Made::kGraph ? 1 : made == Made::kSpace || made == Made::kWeightedSpace ? 3 : 2;
 }
 // What the objects of the scene are besides points with weights.
 Scene finished(Scene scene, Made made) {
   if (made == Made::kLines) with_lines(scene, LineUse::kAlone);
-  if (made == Made::kLinesAndPoints) with_lines(scene, LineUse::kWithPoints);
+  if (has_points_and_lines(made)) with_lines(scene, LineUse::kWithPoints);
   return made == Made::kGraph ? suited(std::move(scene), *find_structure_info("graph_mst_list"))
                               : scene;
 }
@@ -86,13 +105,36 @@ Scene wild(Made made, int degree) {
   return finished(std::move(scene), made);
 }
 
+// Points and lines y = ax + b are translated, by (t, 5 - 3t): b - at + 5 - 3t in the place of b.
+Image translated(const Scene& scene) {
+  Image image{scene, {}, 1, 0, false, {}, "points and lines translated"};
+  for (SceneObject& object : image.scene.objects) {
+    for (MotionPiece& piece : object.motion.pieces) {
+      auto& x = piece.trajectory.coordinates[0];
+      auto& y = piece.trajectory.coordinates[1];
+      y.resize(std::max(y.size(), x.size() + 1));
+      y[0] += Rational(5);
+      y[1] -= Rational(3);
+      if (object.line) {
+        for (std::size_t k = 0; k < x.size(); ++k) y[k + 1] -= x[k];
+      } else {
+        x.resize(std::max<std::size_t>(x.size(), 2));
+        x[1] += Rational(1);
+      }
+      piece.trajectory.normalise();
+    }
+  }
+  return image;
+}
+
 // All points, and all weights, have one more motion. A line y = ax + b is mapped as its points are, by
-// y + 2x + more: to another line.
+// y + 2x + more: to another line at the same vertical distances.
 Image with_common_motion(const Scene& scene, Made made) {
   const Trajectory more = path({{1000, fraction(-17, 3), fraction(2, 9)},
                                 {fraction(1, 3), 5, fraction(-9, 7)},
                                 {-7, fraction(3, 11)},
                                 {2, fraction(-1, 4), 1}});
+  if (made == Made::kMovedLines) return translated(scene);
   if (made != Made::kLinesAndPoints) return carried(scene, {}, more);
   Image image{scene, {}, 1, 0, false, {}, "points and lines carried along"};
   for (SceneObject& object : image.scene.objects) {
@@ -188,6 +230,33 @@ TEST(TransformedRuns, TimeReversedAndACommonMotion) {
           SCOPED_TRACE(image.how);
           expect_same_moments(expected, moments(image, request));
         }
+      }
+    }
+  }
+}
+
+// A norm is kept by the turns of its polygon alone: those by a quarter are of all that there are here.
+Image quarter_turned(const Scene& scene) {
+  Image image{scene, {}, 1, 0, false, {}, "turned by a quarter"};
+  change_paths(image.scene, [](Trajectory& path) {
+    std::swap(path.coordinates[0], path.coordinates[1]);
+    for (Rational& c : path.coordinates[0]) c = -c;
+  });
+  return image;
+}
+
+TEST(TransformedRuns, TheTurnsOfANorm) {
+  const Scene scene = wild(Made::kPlane, 1);
+  for (const char* norm : {"mst_maximum_norm", "mst_polygon"}) {
+    for (const char* engine : {"_list", "_cycles", "_clusters"}) {
+      const Request request = ask(std::string(norm) + engine);
+      SCOPED_TRACE(request.structure);
+      const auto expected = moments({scene, {}, 1, 0, false, {}, "the same"}, request);
+      EXPECT_GT(expected.size(), 0u);
+      for (const Image& image :
+           {quarter_turned(scene), mirrored(scene, {}, 0), scaled(scene, {}, fraction(22, 7))}) {
+        SCOPED_TRACE(image.how);
+        expect_same_moments(expected, moments(image, request));
       }
     }
   }
