@@ -102,13 +102,13 @@ TEST(Regular2, FewPointsAndOneLine) {
   }
 }
 
-// At 1 a point leaves the line of all others; from 2 on it is identically on the line.
 // The grid {0, 1, 2}^2 is sheared: at t = 0 each of its four unit squares has its other diagonal, at t = -1 and t = 1
 // each of two.
 TEST(Regular2, AShearedGrid) {
   std::vector<Trajectory> motions;
   for (int i = 0; i < 9; ++i) motions.push_back(path({{i / 3, i % 3}, {i % 3}}));
-  World world(test::scene_of(motions, -2, Rational(2)));
+  const Scene scene = test::scene_of(motions, -2, Rational(2));
+  World world(scene), sturm(scene, "sturm");
   const auto cells_at = [&world](const Rational& t) {
     std::set<std::array<ObjectId, 3>> cells;
     const std::vector<ObjectId> ids = world.run_until(t).cells();
@@ -126,8 +126,11 @@ TEST(Regular2, AShearedGrid) {
   world.run().expect_clean();
   EXPECT_EQ(world.simulator().ledger().instants, 3u);
   EXPECT_EQ(world.structure().sews(), 0u);
+  sturm.run().expect_clean();
+  EXPECT_EQ(world.lines(), sturm.lines());
 }
 
+// At 1 a point leaves the line of all others; from 2 on it is identically on the line.
 TEST(Regular2, APointLeavesTheCommonLine) {
   std::vector<Trajectory> line;
   for (int i = 0; i < 5; ++i) line.push_back(path({{i}, {0}, {i % 2}}));

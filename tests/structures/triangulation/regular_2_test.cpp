@@ -75,8 +75,11 @@ TEST(Regular2, ShowAndHide) {
     for (int i = 0; i < n; ++i) {
       motions.push_back(path({{fraction(1, 2) + fraction(2 * i + 1, 4 * n), 1}, {0}, {0}}));
     }
-    World world(weighted_scene(motions, 0, Rational(2 * m) - fraction(5, 2)));
+    const Scene scene = weighted_scene(motions, 0, Rational(2 * m) - fraction(5, 2));
+    World world(scene), sturm(scene, "sturm");
     world.run().expect_clean();
+    sturm.run().expect_clean();
+    EXPECT_EQ(world.lines(), sturm.lines());
     EXPECT_EQ(world.ledger().external, events);
     EXPECT_EQ(world.count("show"), events / 2);
     EXPECT_EQ(world.count("hide"), events / 2);
@@ -88,10 +91,13 @@ TEST(Regular2, Breathing) {
   for (const int k : {1, 2, 5, 8}) {
     SCOPED_TRACE(k);
     const Coefficients weight = crossing_weight(k, -13);  // the height 5 + 13 is that of the plane
-    World world(weighted_scene({path({{0}, {0}, {0}}), path({{6}, {0}, {0}}), path({{0}, {6}, {0}}),
-                                path({{2}, {1}, weight})},
-                               0, Rational(k + 1)));
+    const Scene scene = weighted_scene({path({{0}, {0}, {0}}), path({{6}, {0}, {0}}),
+                                        path({{0}, {6}, {0}}), path({{2}, {1}, weight})},
+                                       0, Rational(k + 1));
+    World world(scene), sturm(scene, "sturm");
     world.run().expect_clean();
+    sturm.run().expect_clean();
+    EXPECT_EQ(world.lines(), sturm.lines());
     ASSERT_EQ(world.lines().size(), static_cast<std::size_t>(k));
     for (int i = 0; i < k; ++i) {
       const char* const kind = (k - i) % 2 == 0 ? "hide 3 0 1 2 !" : "show 3 0 1 2 !";

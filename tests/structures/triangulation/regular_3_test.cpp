@@ -22,6 +22,13 @@ std::uint64_t at_hull(const World& world, const std::string& kind) {
   return count;
 }
 
+void expect_same_in_sturm(const Scene& scene, const World& world) {
+  World sturm(scene, "sturm");
+  sturm.run().expect_clean();
+  EXPECT_EQ(world.lines(), sturm.lines());
+  EXPECT_EQ(world.cells(), sturm.cells());
+}
+
 TEST(Regular3, ReferenceCounts) {
   struct Row {
     int n;
@@ -68,12 +75,14 @@ TEST(Regular3, Breathing) {
     SCOPED_TRACE(k);
     const Coefficients weight = crossing_weight(k, -18);  // the height 6 + 18 is that of the plane
     const Rational zero(0), six(6);
-    World world(weighted_scene(
+    const Scene scene = weighted_scene(
         {path({{zero}, {zero}, {zero}, {zero}}), path({{six}, {zero}, {zero}, {zero}}),
          path({{zero}, {six}, {zero}, {zero}}), path({{zero}, {zero}, {six}, {zero}}),
          path({{Rational(2)}, {Rational(1)}, {Rational(1)}, weight})},
-        0, Rational(k + 1)));
+        0, Rational(k + 1));
+    World world(scene);
     world.run().expect_clean();
+    expect_same_in_sturm(scene, world);
     ASSERT_EQ(world.lines().size(), static_cast<std::size_t>(k));
     for (int i = 0; i < k; ++i) {
       const char* const kind = (k - i) % 2 == 0 ? "hide 4 0 1 2 3 !" : "show 4 0 1 2 3 !";
@@ -105,6 +114,48 @@ TEST(Regular3, EqualWeightsAreNone) {
     EXPECT_EQ(equal.count("enter") + equal.count("hull_2_3"), row.hull_2_3);
     EXPECT_EQ(equal.count("leave") + equal.count("hull_3_2"), row.hull_3_2);
     EXPECT_EQ(equal.lines(), plain.lines());
+  }
+  for (const bool linear : {false, true}) {
+    const Scene scene = weighted_reference(7, 2, linear, 3);
+    Scene raised = scene;
+    for (SceneObject& object : raised.objects) {
+      Coefficients& weight = object.motion.pieces[0].trajectory.coordinates[3];
+      weight.resize(3);
+      for (const auto& [k, c] : {std::pair(0, -900), std::pair(1, 70), std::pair(2, 2)}) {
+        weight[static_cast<std::size_t>(k)] += Rational(c);
+      }
+    }
+    World before(scene), after(raised);
+    before.run().expect_clean();
+    after.run().expect_clean();
+    EXPECT_GT(before.lines().size(), 8u);
+    EXPECT_EQ(before.lines(), after.lines());
+  }
+}
+
+// Degenerate at t = 0 alone, without weights: the unit cube is sheared once, and the square of an octahedron
+// gets another diagonal.
+TEST(Regular3, AShearedCubeAndAnOctahedron) {
+  const Rational half = fraction(1, 2);
+  std::vector<Trajectory> cube, octahedron;
+  for (int i = 0; i < 8; ++i) cube.push_back(path({{i / 4, i / 2 % 2}, {i / 2 % 2}, {i % 2}}));
+  for (const int x : {1, -1}) octahedron.push_back(path({{x}, {0}, {0}}));
+  for (const int y : {1, -1}) octahedron.push_back(path({{0}, {y}, {0}}));
+  octahedron.push_back(path({{0}, {0}, {1, 1}}));
+  octahedron.push_back(path({{0}, {0}, {-1}}));
+  const std::pair<Scene, std::size_t> scenes[]{{test::scene_of(cube, -2, Rational(2)), 6},
+                                               {test::scene_of(octahedron, -half, half), 4}};
+  for (const auto& [scene, cells] : scenes) {
+    SCOPED_TRACE(cells);
+    World world(scene);
+    const std::vector<ObjectId> before = world.cells();
+    world.run().expect_clean();
+    EXPECT_EQ(before.size(), 4 * cells);
+    EXPECT_EQ(world.cells().size(), 4 * cells);
+    EXPECT_NE(world.cells(), before);
+    EXPECT_EQ(world.simulator().ledger().instants, 1u);
+    EXPECT_EQ(world.ledger().rebuilds, 0u);
+    expect_same_in_sturm(scene, world);
   }
 }
 
