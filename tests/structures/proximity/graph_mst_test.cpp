@@ -70,6 +70,7 @@ TEST(GraphMst, ParallelEdges) {
   const TwinRun three(bundles(3, 4), engines());  // at the same instants
   EXPECT_EQ(three.ledger(0).external, 9u);
   EXPECT_EQ(three.ledger(1).external, 9u);
+  EXPECT_EQ(three.sink.log.lines, TwinRun(bundles(3, 4), engines(), "sturm").sink.log.lines);
 }
 
 void on_lattices(std::uint64_t seeds) {

@@ -80,6 +80,8 @@ TEST(Meetings, EachTwoMeetOnce) {
         EXPECT_EQ(run.ledger().external, static_cast<std::uint64_t>(n * (n - 1)));
         EXPECT_EQ(run.begins_with, Ids{});
         EXPECT_EQ(run.attribute(), Ids{});
+        if (n > 4) continue;
+        EXPECT_EQ(run.sink.log.lines, TwinRun(scene, meetings_in(scene), "sturm").sink.log.lines);
       }
     }
   }

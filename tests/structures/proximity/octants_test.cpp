@@ -156,6 +156,13 @@ TEST(Octants, EveryOrderIsReversed) {
     const TwinRun listed(run.scene, {ask("octants_listed")});
     EXPECT_EQ(of_kind(listed.ledger(), "order"), static_cast<std::uint64_t>(2 * n * (n - 1)));
     EXPECT_EQ(listed.ledger().max_live, static_cast<std::uint64_t>(4 * (n - 1)));
+    const TwinRun tree(run.scene, {ask("closest_pair_range_tree")});
+    EXPECT_EQ(of_kind(tree.ledger(), "order"), static_cast<std::uint64_t>(2 * n * (n - 1)));
+    if (n > 5) continue;
+    for (const TwinRun* exact : {&run, &listed, &tree}) {
+      const TwinRun twin(run.scene, exact->scene.maintain, "sturm");
+      EXPECT_EQ(exact->sink.log.lines, twin.sink.log.lines);
+    }
   }
 }
 
@@ -222,22 +229,29 @@ TEST(Octants, PointsThatMeet) {
   EXPECT_EQ(run.begins_with.size(), run.attribute().size());
 }
 
-Integer remade(const Scene& scene) {
-  const TwinRun run(scene, octants());
+Integer remade(const Scene& scene, const std::string& structure) {
+  const TwinRun run(scene, {ask(structure)});
   for (const BoundCheck& bound : run.simulator.bounds(0)) {
-    if (bound.id == "octants_listed.remade") return bound.observed;
+    EXPECT_TRUE(bound.holds) << bound.id;
+    if (bound.id == structure + ".remade") return bound.observed;
   }
   return Integer(-1);
 }
 
 // Points that pass each other make no wood anew. Two that meet change their order in all four lists; one wood can follow
-// the four swaps one by one, the other cannot.
+// the four swaps one by one, the other cannot. Without lists neither can, and a new motion makes both.
 TEST(Octants, WoodsMadeAnewAreCounted) {
-  EXPECT_EQ(remade(random_flights(7, 12, 2, 1, false)), Integer(0));
+  const Scene passing = random_flights(7, 12, 2, 1, false);
   const Trajectory still = path({{1}, {5}});
-  EXPECT_EQ(
-      remade(scene_of({path({{-2, 1}, {-4, 2}}), path({{2, -1}, {4, -2}}), still}, 0, Rational(5))),
-      Integer(1));
+  const Scene meeting =
+      scene_of({path({{-2, 1}, {-4, 2}}), path({{2, -1}, {4, -2}}), still}, 0, Rational(5));
+  EXPECT_EQ(remade(passing, "octants_listed"), Integer(0));
+  EXPECT_EQ(remade(meeting, "octants_listed"), Integer(1));
+  EXPECT_EQ(remade(meeting, "octants_local"), Integer(2));
+  Scene turning = meeting;
+  turning.objects[2].motion.pieces = {{std::nullopt, Rational(4), still},
+                                      {Rational(4), std::nullopt, path({{-3, 1}, {5}})}};
+  EXPECT_EQ(remade(turning, "octants_local"), Integer(4));
 }
 
 TEST(Octants, NoPointToThree) {

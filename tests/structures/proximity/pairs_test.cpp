@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/sanitized.h"
+#include "tests/structures/metamorphic.h"
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
 #include "tests/structures/special_scenes.h"
@@ -71,6 +72,36 @@ TEST(Pairs, ReferenceCounts) {
     for (const TwinRun* exact : {&run, &colours}) {
       const TwinRun twin(scene, exact->scene.maintain, "sturm");
       EXPECT_EQ(exact->sink.log.lines, twin.sink.log.lines);
+    }
+  }
+}
+
+// S(6, 2, 1): 3-4, 0-1, 3-4, 1-2, 1-3.
+TEST(Pairs, SequenceOfTheClosestPairs) {
+  struct Change {
+    Ids before, after;
+    int instant;  // in units of 1 / 100000, rounded down
+  };
+  const std::vector<Change> changes{{{3, 4}, {0, 1}, 3230},
+                                    {{0, 1}, {3, 4}, 67130},
+                                    {{3, 4}, {1, 2}, 102425},
+                                    {{1, 2}, {1, 3}, 267272}};
+  const Scene scene = reference_scene(6, 2, 1);
+  for (const Request& request : pairs_in(2)) {
+    SCOPED_TRACE(request.structure);
+    const std::vector<Recorded> found = external_events(scene, request);
+    ASSERT_EQ(found.size(), changes.size());
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      Ids ids = changes[i].before;
+      ids.insert(ids.end(), changes[i].after.begin(), changes[i].after.end());
+      EXPECT_EQ(found[i].ids, ids);
+      RootCounters counters;
+      RealRoot at = instant_of(found[i], {scene, {}, 1, 0, false, {}, ""});
+      const Integer unit(100000);
+      RealRoot low(Rational(Integer(changes[i].instant), unit)),
+          high(Rational(Integer(changes[i].instant + 1), unit));
+      EXPECT_LT(compare(low, at, counters), 0);
+      EXPECT_LT(compare(at, high, counters), 0);
     }
   }
 }
@@ -140,6 +171,8 @@ TEST(Pairs, WorstCaseOfTwoColours) {
     }
     const TwinRun run(scene, red_and_blue());
     EXPECT_EQ(run.ledger().external, static_cast<std::uint64_t>(n * m - 1));
+    if (n * m > 6) continue;
+    EXPECT_EQ(run.sink.log.lines, TwinRun(scene, red_and_blue(), "sturm").sink.log.lines);
   }
 }
 
