@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/sanitized.h"
+#include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/test_run.h"
 #include "tests/structures/test_scenes.h"
 
@@ -85,6 +86,26 @@ TEST(Inexact, TimesBeyondTheDoubles) {
   for (const char* end : {"1e300", "1e400"}) {
     expect_end(scene_of(paths, -at(end), at(end)));
     expect_end(scene_of(paths, at(end), at(end) + at(end)));
+  }
+}
+
+// A corrupt structure is held to no bound. Lattices are degenerate at most instants; not every one of them
+// makes doubles fail.
+TEST(Inexact, ACorruptRunHasNoBounds) {
+  for (const char* name : {"delaunay_2", "delaunay_3", "regular_2", "regular_3"}) {
+    SCOPED_TRACE(name);
+    const StructureInfo& info = *find_structure_info(name);
+    int corrupt = 0;
+    std::uint64_t seed = 0;
+    while (corrupt == 0 && ++seed <= 40) {
+      SCOPED_TRACE(seed);
+      const Scene scene = suited(lattice_scene(seed, 8, info.min_dimension), info);
+      Trial run(scene, name, "double", AuditLevel::kNone);
+      run.to_end();
+      EXPECT_EQ(run.simulator.bounds(0).empty(), run.ledger().corrupt);
+      corrupt += run.ledger().corrupt ? 1 : 0;
+    }
+    EXPECT_GT(corrupt, 0);
   }
 }
 
