@@ -9,7 +9,9 @@ FOLDER: of a build, with experiments/kinex and experiments/bench/kinex_proximity
     <!-- proximity_table.py -->
     <!-- end -->
 
-of the page is replaced. Half a minute on an idle machine; with another load the milliseconds are too long.
+of the page is replaced: for each attribute that several structures maintain, on each scene, those with the
+least of each figure; then all figures. A minute or two on an idle machine; with another load the milliseconds
+are too long.
 Exit code 1: a program is missing or fails; the page is left as it is.
 """
 import json
@@ -57,6 +59,31 @@ def without_rates_of_nothing(rows):
     return result
 
 
+LEAST = ("certificates", "of one object", "events per change", "milliseconds")
+
+
+def least_of_each(rows):
+    """A table of the structures with the least of each figure of LEAST, of two or more on the same scene."""
+    cells_of = [[cell.strip() for cell in row.strip("| ").split(" | ")] for row in rows]
+    names = cells_of[0]
+    scenes = {}  # (attribute, scene, n) -> the cells of its rows, by name
+    for cells in cells_of[2:]:
+        row = dict(zip(names, cells, strict=True))
+        scenes.setdefault((row["attribute"], row["scenes"], row["n"]), []).append(row)
+    result = ["| attribute | scenes | n | " + " | ".join(f"least {name}" for name in LEAST) + " |",
+              "| --- | --- | ---: |" + " --- |" * len(LEAST)]
+    for scene, found in scenes.items():
+        if len(found) < 2:
+            continue
+        cells = list(scene)
+        for name in LEAST:
+            values = {row["structure"]: float(row[name]) for row in found if row[name] != "-"}
+            least = min(values.values(), default=None)
+            cells.append(", ".join(one for one, value in values.items() if value == least) or "-")
+        result.append("| " + " | ".join(cells) + " |")
+    return result
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
@@ -69,8 +96,12 @@ def main():
         made = provenance(build / "kinex", folder)
         ran([build / "bench/kinex_proximity", "--markdown", folder / "table.md"])
         rows = [line for line in (folder / "table.md").read_text().split("\n") if line.startswith("|")]
-    text = f"\nMade by `python3 experiments/guide/proximity_table.py FOLDER`, {made}\n\n" + "\n".join(without_rates_of_nothing(rows)) + "\n\n"
+    rows = without_rates_of_nothing(rows)
+    text = (f"\nMade by `python3 experiments/guide/proximity_table.py FOLDER`, {made}\n\n"
+            "Which structures have the least of a figure, where several maintain the attribute:\n\n"
+            + "\n".join(least_of_each(rows)) + "\n\nAll figures:\n\n" + "\n".join(rows) + "\n\n")
     PAGE.write_text(TABLE.sub(lambda found: found.group(1) + text + found.group(2), page))
 
 
-main()
+if __name__ == "__main__":
+    main()
