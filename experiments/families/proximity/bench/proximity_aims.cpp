@@ -3,13 +3,14 @@
 //   to have: time in `exact` over that in doubles, failures and external events per second, trees against
 //   the triangulation that they read?
 // Workload: the linear rows of `speed` of three families, without those full of ties or of new plans. Rounds
-//   of both arithmetics are interleaved, and the best of each counts: three or more, up to a second.
-// Times: thread CPU time of the run, structures that are read included; that of building them at the start is
-//   a column of its own, and in no rate or ratio. Some rows stop after a number of failures, as a column says.
+//   of both arithmetics are interleaved, three of each, of 0.7 seconds or more; the best run counts.
+// Times: thread CPU time of the run, structures that are read included. That of building them at the start
+//   is a column of its own, and in no rate or ratio. Some rows stop after a number of failures: a column
+//   says so.
 // Ratio: of runs with the same failures and the same external events (ChangesDigest) of all structures; else
 //   0, and a column says what doubles do. More than 5000 points are run in `exact` alone.
-// Aims of ratios: of structures whose own certificates are of degree 2 or less (kHigherDegree). Those that doubles
-//   do not follow on a scene are listed, too.
+// Aims of ratios: of structures whose own certificates are of degree 2 or less (kHigherDegree), and of
+//   triangulations in space. Scenes on which doubles report other changes are listed, too.
 // Output: see result_table.h; options: see bench_options.h. A run in part (--rows) has no aims.
 #include <algorithm>
 #include <array>
