@@ -23,6 +23,10 @@ lab::StudyResult study_cuttings(bool quick, const std::function<bool()>& go_on);
 std::vector<lab::SeriesPoint> kds_section_7_arrangements_points(bool quick);
 lab::PartReport kds_section_7_arrangements_report(const std::vector<lab::SeriesResult>& results,
                                                   const std::string& command);
+// kds_section_7_cuttings.cpp
+lab::StudyResult study_sample_lines(bool quick, const std::function<bool()>& go_on);
+lab::PartReport kds_section_7_cuttings_report(const lab::StudyResult& result,
+                                              const std::string& command);
 // bench_rows.cpp
 std::vector<lab::BenchRow> arrangement_bench_rows(int scale);
 // lines_and_points.cpp

@@ -2,6 +2,7 @@
 #include "experiments/families/arrangement/family.h"
 
 #include <string_view>
+#include <vector>
 
 #include "experiments/families/arrangement/experiments.h"
 #include "experiments/families/points/experiments.h"
@@ -86,9 +87,12 @@ lab::FamilyExperiments arrangement_experiments() {
                             {8, 12},
                             {{8, 12, 16}, {8, 16, 24, 32}}});
   }
+  const auto no_runs = [](bool) { return std::vector<lab::SeriesPoint>{}; };
   family.papers = {
       kds_report({{"section-7-arrangements", "arrangements of moving lines", 13,
-                   kds_section_7_arrangements_points, kds_section_7_arrangements_report}})};
+                   kds_section_7_arrangements_points, kds_section_7_arrangements_report},
+                  {"section-7-cuttings", "proofs of incidences by cuttings of many sizes", 16,
+                   no_runs, nullptr, study_sample_lines, kds_section_7_cuttings_report}})};
   family.bench_rows = arrangement_bench_rows;
   return family;
 }

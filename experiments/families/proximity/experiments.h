@@ -69,6 +69,14 @@ lab::PartReport kds_section_7_diameter_report(const lab::StudyResult& result,
 lab::StudyResult study_tree_clusters(bool quick, const std::function<bool()>& go_on);
 lab::PartReport kds_section_7_clusters_report(const lab::StudyResult& result,
                                               const std::string& command);
+// kds_section_7_approximation.cpp
+lab::StudyResult study_approximate_trees(bool quick, const std::function<bool()>& go_on);
+lab::PartReport kds_section_7_approximation_report(const lab::StudyResult& result,
+                                                   const std::string& command);
+// kds_section_7_locality.cpp
+lab::StudyResult study_locality(bool quick, const std::function<bool()>& go_on);
+lab::PartReport kds_section_7_locality_report(const lab::StudyResult& result,
+                                              const std::string& command);
 // small_integers.cpp
 void generate_small_integers(const lab::WorkloadParameters&, Scene&);
 // pass_over_row.cpp

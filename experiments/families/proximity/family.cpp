@@ -155,7 +155,11 @@ lab::FamilyExperiments proximity_experiments() {
                   {"section-7-hitting", "points that hit all pairs of discs that meet", 11, no_runs,
                    nullptr, study_hitting_sets, kds_section_7_hitting_report},
                   {"section-7-clusters", "what a change of a spanning tree costs by clusters", 12,
-                   no_runs, nullptr, study_tree_clusters, kds_section_7_clusters_report}})};
+                   no_runs, nullptr, study_tree_clusters, kds_section_7_clusters_report},
+                  {"section-7-locality", "certificates of one object, and of one event", 14,
+                   no_runs, nullptr, study_locality, kds_section_7_locality_report},
+                  {"section-7-approximation", "trees that are nearly Euclidean", 15, no_runs,
+                   nullptr, study_approximate_trees, kds_section_7_approximation_report}})};
   family.bench_rows = proximity_bench_rows;
   return family;
 }

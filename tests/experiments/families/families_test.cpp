@@ -120,7 +120,7 @@ TEST(Families, PartsOfAPaperFromSeveralFamiliesAreInItsOrder) {
   }
   const lab::Paper& report = reproduce::papers().front();
   EXPECT_EQ(report.name, "kds-report-1998");
-  ASSERT_EQ(report.parts.size(), 13u);
+  ASSERT_EQ(report.parts.size(), 16u);
   EXPECT_EQ(report.parts[0].name, "figure-3");
   EXPECT_EQ(report.parts[2].name, "section-9");
   EXPECT_EQ(report.parts[3].name, "section-6-circle");
