@@ -90,6 +90,7 @@ class ChangingExtremum {
     if (states_[item] == State::kComing) {
       numbers().remove(item);
       numbers().release(item);
+      states_[item] = State::kThere;  // of no value, or of one that comes
     } else {
       states_[item] = State::kGoing;
       going_.push_back(value);
@@ -219,7 +220,7 @@ class ChangingExtremum {
     std::sort(coming_.begin(), coming_.end());
     coming_.erase(std::unique(coming_.begin(), coming_.end()), coming_.end());
     for (const Item item : coming_) {
-      if (numbers().find(value(item)) != item) continue;
+      if (states_[item] != State::kComing) continue;  // it has gone
       states_[item] = State::kThere;
       came_.push_back(item);
     }

@@ -33,7 +33,7 @@ class ValueNumbers {
   Item find(const Value& value) const {
     if (first_.empty()) return kNoItem;
     Item number = first_[bucket(value)];
-    while (number != kNoItem && values_[number] != value) number = next_[number];
+    while (number != kNoItem && !is_same(values_[number], value)) number = next_[number];
     return number;
   }
   // Numbers a value that is not there.
@@ -76,6 +76,12 @@ class ValueNumbers {
   }
 
  private:
+  // Part by part: the comparison of arrays is a call of memcmp.
+  static bool is_same(const Value& a, const Value& b) {
+    bool same = true;
+    for (std::size_t i = 0; i < a.size(); ++i) same = same && a[i] == b[i];
+    return same;
+  }
   std::size_t bucket(const Value& value) const {
     std::uint64_t hash = 0;
     for (const auto part : value) {

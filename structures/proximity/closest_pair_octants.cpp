@@ -11,18 +11,18 @@ ClosestPairOctants::ClosestPairOctants(Kernel& kernel, StructureId id,
                                        const ConeNeighbours& octants, std::string_view name)
     : FrontPair(kernel, id, "pairs", "pairs by distance", PairDistances(kernel, 2), octants.id()),
       octants_(&octants),
-      name_(name) {}
+      name_(name) {
+  octants.add_watcher(*this);
+}
 
 void ClosestPairOctants::read_all() {
   pairs_.assign(octants_->pairs());
   begin();
 }
 
-// A pair that an event of the octants names: it is a candidate now, or it is none.
-void ClosestPairOctants::follow(ObjectId a, ObjectId b) {
-  if (a == b) return;
-  const Pair pair{std::min(a, b), std::max(a, b)};
-  if (octants_->has(pair)) {
+// A candidate has come or gone.
+void ClosestPairOctants::pair_changed(const Pair& pair, bool is_there) {
+  if (is_there) {
     pairs_.come(pair);
   } else {
     pairs_.go(pair);
@@ -32,12 +32,8 @@ void ClosestPairOctants::follow(ObjectId a, ObjectId b) {
 // The tournament changes when the octants have told all of the instant, and a change of the closest pair
 // is reported when the instant is over: certificates of this structure may fail at it, too.
 void ClosestPairOctants::watched_changed(const Event* event) {
-  if (event != nullptr && event->kind == ConeNeighbours::kPoint) {
-    follow(event->ids[0], event->ids[1]);
-    follow(event->ids[0], event->ids[2]);
-  } else {
-    pairs_.assign(octants_->pairs());
-  }
+  // The pairs of a point's events are known already.
+  if (event == nullptr || event->kind != ConeNeighbours::kPoint) pairs_.assign(octants_->pairs());
   kernel_->settle_later(id_);
 }
 

@@ -29,7 +29,7 @@
 
 namespace kinex {
 
-class ClosestPairOctants final : public FrontPair<PairDistances> {
+class ClosestPairOctants final : public FrontPair<PairDistances>, public ConeWatcher {
  public:
   // `octants` outlives this structure and is watched by it. `name`: as registered.
   ClosestPairOctants(Kernel& kernel, StructureId id, const ConeNeighbours& octants,
@@ -47,12 +47,12 @@ class ClosestPairOctants final : public FrontPair<PairDistances> {
   // A failure of the octants brings several events: their pairs come and go together.
   void instant_settled() override { pairs_.apply(tied()); }
   void watched_changed(const Event* event) override;
+  void pair_changed(const Pair& pair, bool is_there) override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
 
  private:
-  void follow(ObjectId a, ObjectId b);
   void read_all();
 
   const ConeNeighbours* octants_;

@@ -146,6 +146,10 @@ void ConeNeighbours::tell() {
   mark_first(came_, &Telling::comes);
   for (const Telling& one : telling_) {
     const Pair before = ascending(one.point, one.old), after = ascending(one.point, one.fresh);
+    for (ConeWatcher* const watcher : watchers_) {
+      if (one.goes) watcher->pair_changed(before, false);
+      if (one.comes) watcher->pair_changed(after, true);
+    }
     kernel_->report(id_, kPoint, {one.point, one.old, one.fresh}, one.goes || one.comes,
                     std::span(before).first(one.goes ? 2 : 0),
                     std::span(after).first(one.comes ? 2 : 0));

@@ -29,12 +29,21 @@
 
 namespace kinex {
 
-// Notified of every change of a pointer, at once, whether or not the attribute changes with it.
+// Notified of changes, but not of those of a build, an insertion, an erasure or a rebuild.
 class ConeWatcher {
  public:
   virtual ~ConeWatcher() = default;
-  // The first point in some cone of `point` is `fresh`, and was `old`; kNoObject: none.
-  virtual void pointer_changed(ObjectId point, ObjectId old, ObjectId fresh) = 0;
+  // At once: the first point in some cone of `point` is `fresh`, and was `old`; kNoObject: none.
+  virtual void pointer_changed(ObjectId point, ObjectId old, ObjectId fresh) {
+    static_cast<void>(point);
+    static_cast<void>(old);
+    static_cast<void>(fresh);
+  }
+  // With the event that says so: a pair has joined the attribute, or has left it.
+  virtual void pair_changed(const std::array<ObjectId, 2>& pair, bool is_there) {
+    static_cast<void>(pair);
+    static_cast<void>(is_there);
+  }
 };
 
 class ConeNeighbours : public Structure {

@@ -167,6 +167,11 @@ void ConesLocal::certificate_failed(CertificateId failed) {
   repaired();
 }
 
+void ConesLocal::instant_settled() {
+  remade_ += static_cast<std::uint64_t>(std::count(stale_.begin(), stale_.end(), true));
+  make_stale_woods();
+}
+
 // ---- checks
 
 // In octants the cones that do not count are quadrants.
@@ -205,7 +210,13 @@ std::vector<BoundCheck> ConesLocal::bounds(const BoundContext& context) const {
           "each two points change their order in each of the three orders of each wood at every "
           "root, and where pieces meet",
           counted(frame().cones()) * pair_sign_changes(context.pieces, context.degree),
-          counted(ledger.failures))};
+          counted(ledger.failures)),
+      at_most(
+          own + ".remade",
+          "woods that are made from sorted points at the end of an instant: one for a failure, all "
+          "for a new motion",
+          counted(ledger.failures) + counted(frame().woods.size()) * counted(ledger.motion_updates),
+          counted(remade_))};
   if (has_segments(context)) {
     result.push_back(at_most(own + ".failures",
                              "a failure that is the only one of its wood at its instant changes "

@@ -23,7 +23,7 @@
 // an instant may change fewer pointers; they are not counted in that bound.
 // Two or more failures of a wood at an instant, new flight plans, insertions and erasures make a wood from
 // sorted points when the instant is settled: O(n log n) signs, and the certificates of the pointers
-// that have changed.
+// that have changed. The bound `remade` counts these woods, but for insertions and erasures.
 //
 // Ties. See cone_neighbours.h, which has the attribute and the events, too.
 //
@@ -67,7 +67,7 @@ class ConesLocal final : public ConeNeighbours {
   void motions_changed(std::span<const ObjectId>) override {
     stale_.assign(stale_.size(), true);
   }
-  void instant_settled() override { make_stale_woods(); }
+  void instant_settled() override;
   void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   std::uint64_t most_repairs(std::uint64_t certificates) const override { return 8 * certificates; }
@@ -117,7 +117,8 @@ class ConesLocal final : public ConeNeighbours {
   // at that instant, by now, and whether the wood is to be made when the instant is settled.
   std::vector<std::uint64_t> failed_at_;
   std::vector<bool> is_alone_, stale_;
-  std::uint64_t alone_ = 0;  // failures that are the only ones of a wood at their instants
+  std::uint64_t alone_ = 0;   // failures that are the only ones of a wood at their instants
+  std::uint64_t remade_ = 0;  // woods that were, at the end of an instant
 };
 
 }  // namespace kinex

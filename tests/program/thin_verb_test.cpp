@@ -79,19 +79,32 @@ TEST(ThinVerb, RefusesByName) {
   const std::string line = made("line.json", {"uniform-square", "--n", "5", "--dimension", "1"});
   const std::string curved = made("curved.json", {"uniform-square", "--n", "5", "--degree", "2"});
   const std::string bodies = made("bodies.json", {"polygon-orbit", "--n", "4"});
+  const std::string lines = made("lines.json", {"random-lines-and-points", "--n", "5"});
+  const std::string discs = made("discs.json", {"random-discs", "--n", "5"});
+  const std::string boxes = made("boxes.json", {"random-boxes", "--n", "5"});
   struct Bad {
     std::vector<std::string> arguments;
     std::string says;
   };
   const std::vector<Bad> all{
-      {{plane, "--error", "0"}, "--error: 0 is no part of the diameter that may be lost; write a number from 1/100000 on, less than 1, as 1/50: the"},
+      {{plane, "--error", "0"},
+       "--error: 0 is no part of the diameter that may be lost; write a number from 1/100000 on, "
+       "less than 1, as 1/50: the"},
       {{plane, "--error", "1"}, "--error: 1 is no part of the diameter that may be lost; write"},
       {{plane, "--error", "-1/2"}, "--error: -1/2 is no part of the diameter"},
       {{plane, "--error", "some"}, "--error: \"some\""},
       {{plane, "-o", plane}, "--output"},
-      {{line}, "line.json: the scene has 1 axis; a kernel is a few points whose diameter is nearly that of all, in the plane: give a scene with 2 axes"},
+      {{line},
+       "line.json: the scene has 1 axis; a kernel is a few points whose diameter is nearly that of "
+       "all, in the plane: give a scene with 2 axes"},
       {{curved}, "has a motion of degree 2; give a scene of linear motion"},
       {{bodies}, "bodies.json: the objects are bodies; give a scene of points"},
+      {{lines},
+       "lines.json: some objects are lines, which have no diameter; give a scene of points"},
+      {{discs},
+       "discs.json: the objects are discs, and the diameter is that of points; give a scene of "
+       "points"},
+      {{boxes}, "boxes.json: the objects are boxes, and"},
       {{scratch.file("none.json")}, "none.json"},
   };
   for (const Bad& bad : all) {

@@ -153,6 +153,13 @@ std::string kernel_refusal(const Scene& scene) {
            formats::counted(static_cast<std::uint64_t>(scene.dimension), "axis", "axes") +
            "; a kernel is a few points whose diameter is nearly that of all, in the plane: give a scene with 2 axes";
   }
+  if (scene.has_lines())
+    return "some objects are lines, which have no diameter; give a scene of points";
+  if (scene.extents == Extents::kRadius || scene.extents == Extents::kHalfExtents) {
+    return std::string("the objects are ") +
+           (scene.extents == Extents::kRadius ? "discs" : "boxes") +
+           ", and the diameter is that of points; give a scene of points";
+  }
   if (std::any_of(scene.maintain.begin(), scene.maintain.end(), compares_places)) {
     return "what is maintained compares even and odd places, which change; name two colours";
   }
