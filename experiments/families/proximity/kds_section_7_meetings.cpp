@@ -5,8 +5,8 @@
 //   random ones.
 // Expected: n(n - 1) changes of discs and 2nm of sides, which are the hard bounds; growth like n^2.
 //   The proof of incidences by a cutting, of O(n^(5/3)) certificates: a power is fitted.
-// Left out: cuttings of other samples, a study of `kinex verify incidences`: families/arrangement/
-//   cutting_study.cpp. Hitting sets of discs: kds_section_7_hitting.cpp.
+// Left out: cuttings of other samples: families/arrangement/kds_section_7_cuttings.cpp, and
+//   cutting_study.cpp, a study of `kinex verify incidences`. Hitting sets of discs: kds_section_7_hitting.cpp.
 // Cost: seconds.
 #include <fmt/format.h>
 
