@@ -98,10 +98,13 @@ std::set<std::vector<ObjectId>> with_ghosts(const std::vector<ObjectId>& ids) {
 // From the start to the end of the run, at one instant, as many cells give way to as many others, ghosts
 // counted, by one sew. If these are all cells, they are built anew instead.
 void expect_given_way(const Scene& scene, std::size_t cells, bool all) {
-  World world(scene);
+  World world(scene), sturm(scene, "sturm");
   world.start();
   const auto before = with_ghosts(world.cells());
   world.run_until(*scene.end).expect_clean();
+  sturm.run().expect_clean();
+  EXPECT_EQ(world.lines(), sturm.lines());
+  EXPECT_EQ(world.cells(), sturm.cells());
   const auto after = with_ghosts(world.cells());
   EXPECT_EQ(world.simulator().ledger().instants, 1u);
   EXPECT_EQ(before.size(), after.size());
@@ -183,6 +186,32 @@ TEST(Delaunay3, SkewCurves) {
     EXPECT_EQ(world.count("flip_3_2"), 17u);
     EXPECT_EQ(world.count("enter") + world.count("hull_2_3"), 2u);
     EXPECT_EQ(world.count("leave") + world.count("hull_3_2"), 2u);
+  }
+}
+
+// The same with one of the curves a line: with three points of it and more the passage blocks the flips in the
+// plane of the line and of the point that passes, and one sew makes the cells around it. A second point that
+// passes later, far behind the first, needs none.
+TEST(Delaunay3, ASkewLine) {
+  for (const auto& [m, passages] : {std::pair(2, 1), {3, 1}, {4, 1}, {3, 2}}) {
+    SCOPED_TRACE(std::to_string(m) + ", " + std::to_string(passages));
+    std::vector<Trajectory> motions;
+    for (int i = 0; i < m; ++i) {
+      motions.push_back(integers({40 * i - 20 * (m - 1), 0, -80}, {0, 0, 0}));
+      motions.push_back(integers({i * i, 40 * i - 20 * (m - 1) + 3, 80 + i * i * i}, {0, 0, 0}));
+    }
+    for (int i = 0; i < passages; ++i) motions.push_back(integers({1, 2, -1000000 * i}, {0, 0, 1}));
+    const Scene scene = scene_of(motions, -10000000, Rational(10000000));
+    World world(scene), sturm(scene, "sturm");
+    world.run().expect_clean();
+    sturm.run().expect_clean();
+    EXPECT_EQ(world.lines(), sturm.lines());
+    EXPECT_EQ(world.cells(), sturm.cells());
+    const std::uint64_t sews = m > 2 ? 1 : 0;
+    EXPECT_EQ(world.ledger().rebuilds, 0u);
+    EXPECT_EQ(world.structure().sews(), sews);
+    EXPECT_EQ(world.count("retile"), sews);
+    EXPECT_EQ(world.structure().largest_sew(), m > 2 ? static_cast<std::size_t>(m + 2) : 0u);
   }
 }
 
