@@ -134,6 +134,16 @@ TEST(ClosestPairDiscs, TinyLattices) { on_lattices(kSanitized ? 120 : 300); }
 
 TEST(SlowClosestPairDiscs, TinyLattices) { on_lattices(3000); }
 
+TEST(SlowClosestPairDiscs, FiveToNineBalls) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    SCOPED_TRACE(seed);
+    const int n =
+        seed % 9 < 2 ? 7 + static_cast<int>(seed / 9 % 3) : 5 + static_cast<int>(seed % 2);
+    const TwinRun run(lattice_of_discs(seed, n, 3), kAsked);
+    if (HasFailure()) return;
+  }
+}
+
 // Discs come, go and change their motions and radii; exact and sturm agree line by line.
 TEST(ClosestPairDiscs, RandomFlights) {
   std::uint64_t external = 0, updates = 0;

@@ -51,6 +51,23 @@ TEST(NormClusters, TinyLattices) {
   EXPECT_GT(external, test::seen_in_fewer(16u));
 }
 
+// Of one norm, each seed in turn with clusters of the usual size and of 1, 2 and 3 points.
+void on_lattices(const std::string& norm, std::uint64_t seeds) {
+  std::uint64_t external = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    SCOPED_TRACE(seed);
+    const int size = static_cast<int>(seed % 4), few = static_cast<int>(seed % 3);
+    const int n = seed % 9 == 0 ? 8 + static_cast<int>(seed % 2) : 5 + few;
+    external += TwinRun(lattice_scene(seed, n, 2), trees(norm, size)).ledger().external;
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(external, 2 * seeds);
+}
+
+TEST(SlowNormClusters, TinyLatticesInTheMaximumNorm) { on_lattices(kNorms[0], 600); }
+
+TEST(SlowNormClusters, TinyLatticesInThatOfAPolygon) { on_lattices(kNorms[1], 220); }
+
 // Points come and go, and have new flight plans.
 TEST(NormClusters, RandomFlights) {
   std::uint64_t external = 0, updates = 0;
