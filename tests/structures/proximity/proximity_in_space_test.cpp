@@ -135,6 +135,17 @@ TEST(SlowProximityInSpace, TinyLattices) {
     SpaceRun(lattice_scene(seed, 4 + static_cast<int>(seed % (seed < 60 ? 5 : 4)), 3));
   }
 }
+TEST(SlowProximityInSpace, FiveToNinePoints) {
+  for (std::uint64_t seed = 300; seed < 480; ++seed) {
+    SCOPED_TRACE(seed);
+    const int n =
+        seed % 9 < 2 ? 7 + static_cast<int>(seed / 9 % 3) : 5 + static_cast<int>(seed % 2);
+    const Scene scene = lattice_scene(seed, n, 3);
+    const TwinRun pairs(scene, {kReaders[kPair], kReaders[kPairOfAll]});
+    const TwinRun trees(scene, {kReaders[kList], kReaders[kCycles]});
+    if (HasFailure()) return;
+  }
+}
 
 // Points come and go, change their flight plans, and some fly together.
 TEST(ProximityInSpace, RandomFlights) {
