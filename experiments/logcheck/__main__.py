@@ -51,20 +51,27 @@ def arguments():
         + "\n\nexit codes: 0 fine, 1 the log is wrong, 2 bad input or usage, 3 gave up at a limit"
         "\n\nexample:\n  kinex run scene.json --events run.jsonl\n  kinex-logcheck run.jsonl --scene scene.json",
         formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("log", metavar="LOG", help="the event log")
-    parser.add_argument("--scene", metavar="SCENE", help="the scene that was run; without it levels 0 and 1 only")
+    parser.add_argument("log", metavar="LOG", help="the event log, - reads standard input")
+    parser.add_argument("--scene", metavar="SCENE",
+                        help="the scene that was run, - reads standard input; without it levels 0 and 1 only")
     parser.add_argument("--levels", type=levels_of, default=set(LEVELS), metavar="L",
                         help="which levels, as 0-4 or 1,3 (default: all that the input allows)")
     parser.add_argument("--json", action="store_true", help="a report as one JSON object")
     parser.add_argument("-v", "--verbose", action="store_true",
                         help="say on standard error how far it is, every few seconds; on a terminal it always does")
-    return parser.parse_args()
+    options = parser.parse_args()
+    if options.log == "-" == options.scene:
+        parser.error("--scene: standard input is the log already; give the scene's file")
+    return options
 
 
 def read(path, remedy, binary=False):
     try:
-        with open(path, "rb") as file:
-            data = file.read()
+        if path == "-":
+            data = sys.stdin.buffer.read()
+        else:
+            with open(path, "rb") as file:
+                data = file.read()
         return data if binary else data.decode("utf-8-sig")
     except OSError as error:
         raise BadInput("%s: %s; %s" % (path, error.strerror, remedy)) from None

@@ -61,6 +61,19 @@ def members(tree, required, optional, what):
             raise Wrong("%s has a member %s, which the format does not know" % (what, json.dumps(key)))
 
 
+def refuse_scene(path, data, first):
+    """The most likely mistake: the scene in place of its log."""
+    if b'"format"' in first:
+        return
+    try:
+        tree = json.loads(data)
+    except (ValueError, RecursionError):
+        return
+    if isinstance(tree, dict) and "kinex" in tree:
+        raise BadInput("%s: this is a scene, not an event log; write kinex-logcheck LOG --scene %s, with the log of "
+                       "kinex run %s --events LOG" % (path, path, path))
+
+
 def require(condition, what):
     if not condition:
         raise Wrong(what)
@@ -81,13 +94,14 @@ class Log:
             data.decode()
         except UnicodeDecodeError as error:
             raise BadInput("%s: not UTF-8 (byte %d); %s" % (path, error.start, LOG_REMEDY)) from None
+        if not data.strip():
+            raise BadInput("%s: the file is empty; %s" % (path, LOG_REMEDY))
         lines = data.split(b"\n")
+        refuse_scene(path, data, lines[0])
         if lines[-1] == b"":
             lines.pop()
-        else:
+        elif len(lines) > 1 or b'"format"' in lines[0]:
             raise Wrong("the last line does not end with a newline: the file was cut", len(lines), CUT_REMEDY)
-        if not lines:
-            raise BadInput("%s: the file is empty; %s" % (path, LOG_REMEDY))
         first = load_json(lines[0].decode(), path, LOG_REMEDY)
         if not isinstance(first, dict) or first.get("format") != "kinex-log":
             raise BadInput("%s:1: not an event log of kinex; %s" % (path, LOG_REMEDY))

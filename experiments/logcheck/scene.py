@@ -145,6 +145,8 @@ class Scene:
 
     def __init__(self, path, text):
         self.path = path
+        if '"kinex-log"' in text.partition("\n")[0]:
+            raise BadInput("%s: this is an event log, not a scene; %s" % (path, SCENE_REMEDY))
         tree = load_json(text, path, SCENE_REMEDY)
         if not isinstance(tree, dict) or tree.get("kinex") != 1:
             raise BadInput("%s: not a kinex scene of version 1; %s" % (path, SCENE_REMEDY))

@@ -338,6 +338,39 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(self.last_line(), "levels 0 and 1: nothing wrong; levels 2 to 5 were not done: the log does "
                          "not name its instants")
 
+    def of(self, *words, given=""):
+        done = subprocess.run([sys.executable, FOLDER, *map(str, words)], capture_output=True, text=True, input=given)
+        return done.returncode, done.stdout + done.stderr
+
+    def test_files_that_are_something_else(self):
+        self.write()
+        for text in (json.dumps(SCENE), json.dumps(SCENE, indent=1)):  # without a last newline
+            self.scene.write_text(text)
+            for words in ((self.scene,), (self.scene, "--scene", self.scene)):
+                code, said = self.of(*words)
+                self.assertEqual(code, 2, said)
+                self.assertIn("%s: this is a scene, not an event log; write kinex-logcheck LOG --scene" % self.scene,
+                              said)
+        code, said = self.of(self.log, "--scene", self.log)
+        self.assertEqual(code, 2)
+        self.assertIn("%s: this is an event log, not a scene; give the scene that was run" % self.log, said)
+        for text in ("[1]", "{", "", "\n"):
+            self.log.write_text(text)
+            code, said = self.of(self.log)
+            self.assertEqual(code, 2, said)
+            self.assertIn("; give an event log, as kinex run SCENE --events LOG", said)
+
+    def test_standard_input(self):
+        self.write()
+        code, said = self.of("-", "--scene", self.scene, given=self.log.read_text())
+        self.assertEqual(code, 0, said)
+        self.assertTrue(said.endswith("\n-: nothing wrong\n"), said)
+        code, said = self.of(self.log, "--scene", "-", given=self.scene.read_text())
+        self.assertEqual(code, 0, said)
+        code, said = self.of("-", "--scene", "-", given=self.log.read_text())
+        self.assertEqual(code, 2)
+        self.assertIn("--scene: standard input is the log already; give the scene's file", said)
+
     def test_wrong(self):
         self.write(records=0)
         code, text = self.run_it()
