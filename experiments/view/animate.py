@@ -6,7 +6,8 @@ usage: animate.py PAGE.html OUTPUT [options]
 
 OUTPUT.mp4 and OUTPUT.gif need ffmpeg; OUTPUT.png is an animated PNG, which needs nothing; OUTPUT.svg is one
 picture, after the log record of --record; any other name is a folder for the frames (frame-0001.png, ..). Frames
-are equally spaced in time, or one for each log record.
+are equally spaced in time, or one for each log record; if there are more records than --frames, a message says so.
+With --force files are replaced, none is removed: a folder with more frames of an earlier animation is refused.
 Standard library only. Exit codes: 2 bad input, 3 Chromium or ffmpeg is missing or fails.
 """
 import argparse
@@ -21,6 +22,7 @@ import zlib
 
 from devtools import Browser, BrowserError
 
+PAGE_MARK = "window.kinexFrame"  # what draws a frame of a page
 PNG = b"\x89PNG\r\n\x1a\n"
 
 
@@ -52,6 +54,8 @@ def checked(chosen):
     """Width and height; ends with a message where something is wrong."""
     if not chosen.page.is_file():
         bad_input(f"{chosen.page}: there is no such page; make one with kinex view SCENE -o {chosen.page}")
+    if PAGE_MARK not in chosen.page.read_text(encoding="utf-8", errors="replace"):
+        bad_input(f"{chosen.page}: it is no page of kinex view; make one with kinex view SCENE -o PAGE.html")
     if chosen.output.exists() and not chosen.force:
         bad_input(f"{chosen.output}: it exists already; give another name, or --force")
     width, _, height = chosen.size.partition("x")
@@ -62,6 +66,10 @@ def checked(chosen):
     if chosen.output.suffix not in ("", ".svg", ".png", ".gif", ".mp4"):
         bad_input(f"{chosen.output}: {chosen.output.suffix} is no kind of picture; write .svg, .png, .gif or .mp4, or a "
                   "folder's name without a point")
+    if chosen.output.is_dir() if chosen.output.suffix else chosen.output.is_file():
+        bad_input(f"{chosen.output}: it is a {'folder' if chosen.output.suffix else 'file'}; give another name")
+    if chosen.output.suffix and not chosen.output.parent.is_dir():
+        bad_input(f"{chosen.output}: there is no folder {chosen.output.parent}; make it, or name another one")
     if chosen.record is not None and chosen.output.suffix != ".svg":
         bad_input("--record: it is for one picture; write OUTPUT.svg, or leave it out")
     return int(width), int(height)
@@ -92,8 +100,22 @@ def drawing(chosen, width, height):
         return browser.evaluate(f"(app.setEvent({record}), app.draw(), pictureAsSvg({width}, {height}))")
 
 
-def frames(chosen, width, height):
-    """The frames' PNGs, one after the other."""
+def check_stale(folder, count):
+    """Ends with a message if frames of an earlier animation would stay behind those of this one."""
+    new = {frame_name(number) for number in range(1, count + 1)}
+    stale = sorted(file.name for file in folder.glob("frame-*.png") if file.name not in new)
+    if stale:
+        bad_input(f"{folder}: {stale[0]}{' to ' + stale[-1] if len(stale) > 1 else ''} would stay there, of an earlier "
+                  f"animation, after the {count} frames of this one; remove {'them' if len(stale) > 1 else 'it'}, or name "
+                  "another folder")
+
+
+def frame_name(number):
+    return f"frame-{number:04d}.png"
+
+
+def frames(chosen, width, height, folder=None):
+    """The frames' PNGs, one after the other; `folder`: where they will be."""
     with Browser(max(width, 1100), max(height, 800), chosen.dark) as browser:
         opened(chosen, browser)
         places = [f"u: {chosen.begin + (chosen.end - chosen.begin) * i / max(1, chosen.frames - 1)}"
@@ -101,6 +123,11 @@ def frames(chosen, width, height):
         if chosen.records:
             first, last = browser.evaluate(f"[eventsUntil(FIRST, {chosen.begin}), eventsUntil(FIRST, {chosen.end})]")
             places = [f"event: {k}" for k in range(first, last + 1)][:chosen.frames]
+            if len(places) < last + 1 - first:
+                print(f"kinex: {last + 1 - first} frames for all log records, {len(places)} are drawn: those up to record "
+                      f"{first + len(places) - 1}; give --frames {last + 1 - first} for all", file=sys.stderr)
+        if folder is not None:
+            check_stale(folder, len(places))
         for place in places:
             address = browser.evaluate(f"kinexFrame({{ {place}, width: {width}, height: {height}, "
                                        f"caption: {str(not chosen.no_caption).lower()} }})")
@@ -165,8 +192,8 @@ def write(chosen, width, height):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name) if video else chosen.output
         folder.mkdir(parents=True, exist_ok=True)
-        for number, picture in enumerate(frames(chosen, width, height), 1):
-            (folder / f"frame-{number:04d}.png").write_bytes(picture)
+        for number, picture in enumerate(frames(chosen, width, height, folder), 1):
+            (folder / frame_name(number)).write_bytes(picture)
         if video:
             by_ffmpeg(folder, chosen)
 
@@ -176,6 +203,8 @@ def main():
     width, height = checked(chosen)
     try:
         write(chosen, width, height)
+    except OSError as failure:
+        bad_input(f"{failure.filename or chosen.output}: {failure.strerror or failure}; name another place")
     except (BrowserError, subprocess.CalledProcessError) as failure:
         print(f"kinex: no animation: {failure}", file=sys.stderr)
         sys.exit(3)

@@ -219,6 +219,13 @@ def check_animation(source, folder):
     again = subprocess.run([sys.executable, "-B", script, page, moving], stderr=subprocess.PIPE, text=True, check=False)
     if again.returncode != 2 or "--force" not in again.stderr:
         fail(f"an animation that exists is replaced: {again.stderr}")
+    # Frames of an earlier animation stay, and are no part of a later one.
+    shorter = subprocess.run([sys.executable, "-B", script, page, frames, "--records", "--frames", "2", "--force"],
+                             stderr=subprocess.PIPE, text=True, check=False)
+    if (shorter.returncode != 2 or "2 are drawn: those up to record 1; give --frames" not in shorter.stderr
+            or "frame-0003.png to frame-0004.png would stay there" not in shorter.stderr
+            or len(list(frames.iterdir())) != 4):
+        fail(f"an animation is mixed with an earlier one, or cut in silence: {shorter.stderr}")
 
 
 LARGEST_RECORD = 300  # bytes, with its proof; one without takes some 110
