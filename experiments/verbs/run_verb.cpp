@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "core/engine/refused_change.h"
@@ -51,6 +52,7 @@ struct RunOptions {
   bool force = false;
   bool explain = false;
   bool provenance = false;
+  bool instants_given = false;
 };
 
 // A limit that has been reached.
@@ -207,6 +209,17 @@ std::string stopping_text(const RunOptions& options, const formats::RunOutcome& 
   return "the run was stopped: " + why + "; " + kept + "; " + remedy;
 }
 
+// What is said about the log needs a log.
+void check_log_options(const RunOptions& options) {
+  if (!options.events.empty()) return;
+  for (const auto& [name, given] :
+       {std::pair("--instants", options.instants_given), {"--provenance", options.provenance}}) {
+    if (!given) continue;
+    throw formats::InputError(name, "", "no event log is written, and this is about the log alone",
+                              "give --events FILE, too, or leave it out");
+  }
+}
+
 void run(const RunOptions& options, const Voice& voice, int& exit_code) {
   constexpr const char* kRemedy = "write a number from 0 on, 0 for no limit";
   check_limit("--max-events", static_cast<double>(options.max_events), true, kRemedy);
@@ -216,6 +229,7 @@ void run(const RunOptions& options, const Voice& voice, int& exit_code) {
   simulator_options.audit = audit_level(options.audit);
   simulator_options.scheduling = scheduling(options.scheduling);
   const InstantDetail instants = instant_detail(options.instants);
+  check_log_options(options);
   simulator_options.max_events = static_cast<std::uint64_t>(options.max_events);
   simulator_options.max_seconds = options.max_seconds;
 
@@ -354,8 +368,9 @@ void add_run_verb(CLI::App& app, int& exit_code) {
                    "lazy (default: failure times are searched for within a window) or eager");
   verb->add_option("--until", options->until, "Stop at this time, as if the scene ended there");
   verb->add_option("--events", options->events, "Write the event log to this file, - prints it");
-  verb->add_option("--instants", options->instants,
-                   "Detail of the log's instants: names (default: exact), intervals or none");
+  CLI::Option* const instants =
+      verb->add_option("--instants", options->instants,
+                       "Detail of the log's instants: names (default: exact), intervals or none");
   verb->add_flag("--provenance", options->provenance,
                  "Name the build, the processor and this command in the log's header, too");
   verb->add_option("--summary", options->summary, "Write the summary to this file, - prints it");
@@ -392,7 +407,10 @@ void add_run_verb(CLI::App& app, int& exit_code) {
                "Where the log or the summary is printed, the report is on standard error.\n"
                "Example:\n  kinex run square.json --arithmetic exact --events square.log --at 1/3\n"
                "  kinex run square.json --explain");
-  verb->callback([options, verb, &exit_code] { run(*options, voice_of(*verb), exit_code); });
+  verb->callback([options, verb, instants, &exit_code] {
+    options->instants_given = instants->count() > 0;
+    run(*options, voice_of(*verb), exit_code);
+  });
 }
 
 }  // namespace kinex::verbs

@@ -233,6 +233,19 @@ std::string conversion_problem(const CLI::App& app, const std::string& message) 
                      (size ? " from 1 to " + std::to_string(lab::kMaxWorkloadSize) : ", as 100"));
 }
 
+// "NAME: At Most 1 required but received 2"
+std::string given_again(const CLI::App& verb, const std::string& message) {
+  const std::string name = message.substr(0, message.find(": "));
+  std::string values;
+  if (const CLI::Option* const option = verb.get_option_no_throw(name)) {
+    for (const std::string& value : option->results()) {
+      values += (values.empty() ? ", as " : " and ") + show_text(value);
+    }
+  }
+  return place_of(verb) + name + " is given more than once" + values + "; leave one (" +
+         help_of(verb) + " tells what it takes)";
+}
+
 // "NAME: 1 required TYPE missing"
 std::string missing_value(const CLI::App& verb, const std::string& message) {
   const std::string name = message.substr(0, message.find(": "));
@@ -259,6 +272,9 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   if (kind == "ConversionError") return conversion_problem(app, message);
   if (kind == "ArgumentMismatch" && message.find(" missing") != std::string::npos) {
     return missing_value(verb, message);
+  }
+  if (kind == "ArgumentMismatch" && message.find(": At Most 1 ") != std::string::npos) {
+    return given_again(verb, message);
   }
   const std::size_t excludes = message.find(" excludes ");
   if (kind == "ExcludesError" && excludes != std::string::npos) {
