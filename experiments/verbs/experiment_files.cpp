@@ -41,11 +41,11 @@ void add_experiment_options(CLI::App& verb, ExperimentOptions& options,
   verb.add_flag("--json", options.json, words.json);
 }
 
-void make_folder(const char* option, const std::string& folder) {
+bool make_folder(const char* option, const std::string& folder) {
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
+  const bool made = std::filesystem::create_directories(folder, error);
   std::error_code ignored;
-  if (std::filesystem::is_directory(folder, ignored)) return;
+  if (std::filesystem::is_directory(folder, ignored)) return made;
   if (std::filesystem::exists(folder, ignored)) {
     throw formats::InputError(option, "", show_text(folder) + " is a file, not a folder", "name a folder");
   }
@@ -74,9 +74,7 @@ sweep::Journal experiment_journal(const ExperimentOptions& options, const sweep:
     throw formats::InputError("--output", "", "standard output takes no folder of files",
                               "name a folder; --json prints the result");
   }
-  std::error_code error;
-  // Errors are reported below.
-  const bool made = std::filesystem::create_directories(options.folder, error);
+  const bool made = make_folder("--output", options.folder);
   using sweep::Leftover;
   const Leftover leftover = options.fresh   ? Leftover::kDrop
                             : options.force ? Leftover::kKeepOwn
@@ -85,6 +83,7 @@ sweep::Journal experiment_journal(const ExperimentOptions& options, const sweep:
     return journal_of(options.from, options.folder + "/" + selection.experiment + ".unfinished",
                       selection, leftover);
   } catch (...) {
+    std::error_code error;
     if (made)
       std::filesystem::remove(options.folder, error);  // what is refused leaves nothing behind
     throw;

@@ -36,8 +36,8 @@ struct ExperimentWords {
 };
 void add_experiment_options(CLI::App& verb, ExperimentOptions& options,
                             const ExperimentWords& words);
-// Makes the folder that the option names if there is none. Throws InputError.
-void make_folder(const char* option, const std::string& folder);
+// Makes the folder that the option names if there is none, and says whether it did. Throws InputError.
+bool make_folder(const char* option, const std::string& folder);
 // Throws InputError for --jobs out of range.
 void check_jobs(const ExperimentOptions& options);
 

@@ -21,6 +21,7 @@
 #include "experiments/sweep/cell_run.h"
 #include "experiments/sweep/database.h"
 #include "experiments/sweep/sweeper.h"
+#include "experiments/verbs/experiment_files.h"
 #include "experiments/verbs/experiments.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
@@ -179,8 +180,7 @@ void run(const ShardOptions& options, int& exit_code) {
   parse_shard(options.shard);
   const Plan plan = options.plan.plan();
   lab::check_limits({plan.limits.seconds, plan.limits.megabytes});
-  std::error_code error;
-  std::filesystem::create_directories(options.folder, error);  // errors are reported below
+  make_folder("--output", options.folder);
   const std::vector<Attempt> attempts = read_attempts({options.folder});
   refuse_other_program(attempts);
   Settled settled = settle(attempts);

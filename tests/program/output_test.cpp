@@ -142,6 +142,32 @@ TEST_F(Output, FailedRunsLeaveNothing) {
   EXPECT_EQ(files(), before);
 }
 
+// Of a folder that cannot be made, or in which nothing can be written, the reason is told.
+TEST_F(Output, FoldersOfResultsThatCannotBeMade) {
+  const std::string deep = scene_ + "/deep", locked = scratch_.file("locked");
+  std::filesystem::create_directory(locked);
+  std::filesystem::permissions(locked, std::filesystem::perms(0555));
+  const std::set<std::string> before = files();
+  for (const Words& verb : {Words{"verify", "sorted_list", "--quick", "-o"},
+                            {"trade", scene_, "-o"},
+                            {"reproduce", "kds-report-1998", "section-7-lifting", "-o"},
+                            {"sweep", "run", "verify", "--quick", "-o"}}) {
+    for (const auto& [folder, problem] :
+         {std::pair(scene_, " is a file, not a folder; name a folder"),
+          {deep, " cannot be made: Not a directory; name another one"},
+          {locked + "/deep", " cannot be made: Permission denied; name another one"}}) {
+      if (::geteuid() == 0 && folder.starts_with(locked)) continue;  // root may write there
+      Words words = verb;
+      words.push_back(folder);
+      const Finished refused = run_kinex(words);
+      EXPECT_EQ(refused.exit_code, 2) << verb[0];
+      EXPECT_THAT(refused.err, StartsWith("kinex: --output: ")) << verb[0];
+      EXPECT_THAT(refused.err, HasSubstr("\"" + folder + "\"" + problem)) << verb[0];
+      EXPECT_EQ(files(), before) << verb[0];
+    }
+  }
+}
+
 // A file where the folder of plots must be is refused before the experiments, which would be lost.
 TEST_F(Output, PlotsNeedAFolder) {
   const std::string file = scratch_.file("plots"), results = scratch_.file("results");

@@ -110,7 +110,8 @@ TEST_F(TradeVerb, RefusesBadInput) {
   expect_refused({scene_, "--arithmetic", "mpfr:1"}, "--arithmetic: ");
   expect_refused({scene_, "--jobs", "0"}, "--jobs: 0 is out of range");
   expect_refused({scene_, "--max-seconds", "0"}, "--max-seconds: ");
-  expect_refused({scene_, "-o", "/dev/null/x"}, "cannot be written");
+  expect_refused({scene_, "-o", "/dev/null/x"},
+                 "the folder \"/dev/null/x\" cannot be made: Not a directory");
   write_file(scratch_.file("empty.json"),
              R"({"kinex": 1, "dimension": 1, "time": {"start": 0, "end": 1}, "objects": [],
                  "maintain": []})");
