@@ -14,7 +14,7 @@ namespace kinex::formats {
 // of structures that exist only to be read, and the seconds.
 std::string describe_results(const Simulator& simulator, const RunOutcome& outcome);
 
-// Failures: violated bounds, corruption, violations found by audits.
+// Failures: violated bounds, corruption, violations found by audits; each once.
 std::vector<std::string> failures_of(const Simulator& simulator, const RunOutcome& outcome);
 
 }  // namespace kinex::formats

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run that comes to a change that cannot be made: what was finished before it is written.
+// A run that comes to a change that cannot be made: what was finished before it is written. One that
+// becomes corrupt says so once.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -54,6 +55,25 @@ TEST(RefusedRun, WritesWhatWasFinished) {
   const std::string page = scratch.file("page.html");
   EXPECT_EQ(run_kinex({"view", log, "--scene", scene, "-o", page}).exit_code, 0);
   EXPECT_EQ(run_kinex({"view", scene, "-o", page, "--force"}).exit_code, 0);
+}
+
+TEST(CorruptRun, SaysSoOnce) {
+  ScratchFolder scratch;
+  const std::string scene = scratch.file("grid.json"), summary = scratch.file("summary.json");
+  ASSERT_EQ(
+      run_kinex({"gen", "grid", "--n", "36", "--maintain", "delaunay_2", "-o", scene}).exit_code,
+      0);
+  for (const std::string audit : {"end", "none"}) {
+    const Finished run = run_kinex({"run", scene, "--arithmetic", "double", "--audit", audit, "-q",
+                                    "--summary", summary, "--force"});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(
+        run.err,
+        "kinex: delaunay_2 is corrupt: the static construction found no place for a point (at t = "
+        "0.3333333333)\n");
+    EXPECT_THAT(read_file(summary),
+                HasSubstr("\"corrupt\": \"the static construction found no place"));
+  }
 }
 
 }  // namespace refused_run_test
