@@ -76,14 +76,43 @@ std::string joined(const std::vector<std::string>& names) {
   return text + (names.size() > kMost ? ", .." : "");
 }
 
-void check_values(const char* key, const std::vector<std::string>& values,
-                  const std::vector<std::string>& known, const std::string& file) {
-  for (const std::string& value : values) {
-    if (has(known, value)) continue;
-    throw InputError(kOption, "",
-                     std::string("there is no ") + key + " " + show_text(value) + " in " + file,
-                     did_you_mean(value, known, "it has " + joined(known)));
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
   }
+  return words;
+}
+
+// The longest known value with which the text begins, up to a comma or its end; empty if there is none.
+std::string known_beginning(const std::string& text, const std::vector<std::string>& known) {
+  for (std::size_t end = text.size(); end != std::string::npos && end > 0;
+       end = text.rfind(',', end - 1)) {
+    if (has(known, text.substr(0, end))) return text.substr(0, end);
+  }
+  return "";
+}
+
+// The known values that these are, or are lists of.
+std::vector<std::string> fitted(const char* key, const std::vector<std::string>& values,
+                                const std::vector<std::string>& known, const std::string& file) {
+  std::vector<std::string> result;
+  for (const std::string& value : values) {
+    for (std::size_t begin = 0; begin <= value.size();) {
+      const std::string rest = value.substr(begin), found = known_beginning(rest, known);
+      if (found.empty()) {
+        const std::string word = rest.substr(0, rest.find(','));
+        throw InputError(kOption, "",
+                         std::string("there is no ") + key + " " + show_text(word) + " in " + file,
+                         did_you_mean(word, known, "it has " + joined(known)));
+      }
+      begin += found.size() + 1;
+      result.push_back(found);
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -102,35 +131,37 @@ void LogFilter::add(std::string_view text) {
           kOption, "", show_text(key) + " is not a key",
           did_you_mean(key, keys(), "write kind, structure, object, predicate or external"));
     }
-    std::string value(part.substr(equals + 1));
-    if (key == "external" && value != "true" && value != "false") {
-      throw InputError(kOption, "", show_text(value) + " is neither true nor false",
+    const std::string value(part.substr(equals + 1));
+    // No predicate has a comma in its name.
+    const bool list = key == "external" || key == "predicate";
+    const std::vector<std::string> values =
+        list ? split_at_commas(value) : std::vector<std::string>{value};
+    for (const std::string& one : values) {
+      if (key != "external" || one == "true" || one == "false") continue;
+      throw InputError(kOption, "", show_text(one) + " is neither true nor false",
                        "write external=true or external=false");
     }
-    const auto known =
-        std::find_if(conditions_.begin(), conditions_.end(),
-                     [&](const Condition& condition) { return condition.key == key; });
-    if (known == conditions_.end()) {
-      conditions_.push_back({key, {std::move(value)}});
-    } else {
-      known->values.push_back(std::move(value));
-    }
+    std::vector<std::string>* known = values_of(key);
+    if (known == nullptr) known = &conditions_.emplace_back(Condition{key, {}}).values;
+    known->insert(known->end(), values.begin(), values.end());
   }
 }
 
-const std::vector<std::string>* LogFilter::values_of(std::string_view key) const {
-  for (const Condition& condition : conditions_) {
+std::vector<std::string>* LogFilter::values_of(std::string_view key) {
+  for (Condition& condition : conditions_) {
     if (condition.key == key) return &condition.values;
   }
   return nullptr;
 }
 
-void LogFilter::check(const LogHeader& header, const std::string& file) const {
-  if (const auto* kinds = values_of("kind")) check_values("kind", *kinds, kinds_of(header), file);
-  if (const auto* labels = values_of("structure"))
-    check_values("structure", *labels, labels_of(header), file);
-  if (const auto* objects = values_of("object"))
-    check_values("object", *objects, header.objects, file);
+void LogFilter::fit(const LogHeader& header, const std::string& file) {
+  if (auto* kinds = values_of("kind")) *kinds = fitted("kind", *kinds, kinds_of(header), file);
+  if (auto* labels = values_of("structure")) {
+    *labels = fitted("structure", *labels, labels_of(header), file);
+  }
+  if (auto* objects = values_of("object")) {
+    *objects = fitted("object", *objects, header.objects, file);
+  }
 }
 
 bool LogFilter::wants(const LogRecord& record) const {

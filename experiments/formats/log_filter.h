@@ -20,11 +20,13 @@ namespace kinex::formats {
 //   external   true or false
 class LogFilter {
  public:
-  // Adds "kind=swap,kind=tie,object=a". A comma ends a value where KEY= follows, so ids may have commas.
+  // Adds "kind=swap,tie,object=a": KEY= and values with commas between them. An id may have commas: what
+  // stands behind a KEY= is one value until fit() has seen the log.
   // Throws InputError that names the option for text that is no condition.
   void add(std::string_view text);
-  // Throws InputError for a kind, structure or object that the log cannot have.
-  void check(const LogHeader& header, const std::string& file) const;
+  // Takes values that the log does not have apart at their commas. Throws InputError for a kind, structure
+  // or object that the log cannot have.
+  void fit(const LogHeader& header, const std::string& file);
   bool wants(const LogRecord& record) const;
   bool wants_all() const { return conditions_.empty(); }
 
@@ -33,7 +35,7 @@ class LogFilter {
     std::string key;
     std::vector<std::string> values;
   };
-  const std::vector<std::string>* values_of(std::string_view key) const;
+  std::vector<std::string>* values_of(std::string_view key);
 
   std::vector<Condition> conditions_;
 };

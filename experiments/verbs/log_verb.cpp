@@ -30,7 +30,7 @@ void show_log(const LogOptions& options, const Voice& voice) {
   for (const std::string& text : options.filters) filter.add(text);
   const std::string text = formats::read_text_file(options.file);
   formats::LogReader reader(text, options.file);
-  filter.check(reader.header(), options.file);
+  filter.fit(reader.header(), options.file);
   const formats::LogTable table = formats::log_table(
       reader, filter, options.csv ? formats::LogTableForm::kCsv : formats::LogTableForm::kPlain,
       options.columns);
@@ -63,7 +63,7 @@ void add_log_verb(CLI::App& app, int&) {
   verb->add_option(
           "--filter", options->filters,
           "Only records with KEY=VALUE,..; KEY is kind, structure, object, predicate or external; "
-          "values of one key are alternatives; can be given several times")
+          "values of one key, as kind=flip,enter, are alternatives; can be given several times")
       ->allow_extra_args(false);
   add_list_option(*verb, "--columns", options->columns,
                   "Only these columns, in this order, as time,kind,ids")
@@ -81,7 +81,7 @@ void add_log_verb(CLI::App& app, int&) {
       "structure, kind, ids, external, predicate and certificate_ids (of the\n"
       "certificate that failed), gone, came, reason.\n"
       "Example:\n"
-      "  kinex log square.log --filter kind=flip,object=p7\n"
+      "  kinex log square.log --filter kind=flip,enter,object=p7\n"
       "  kinex log square.log --filter external=true --columns time,ids\n"
       "  kinex log square.log --csv --filter external=true -o changes.csv");
   verb->callback([options, verb] { show_log(*options, voice_of(*verb)); });

@@ -124,6 +124,21 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"sweep", "run", "trade", "-o", scratch_.file("out"), "--arithmetic", "gsl,"},
        "--arithmetic: \"gsl,\" has an empty word"},
       {{"gen", "grid", "-o", ""}, "the word \"\" is empty"},
+      // What is given twice, or says something of a file that is not written.
+      {{"run", scene_, "--events", "a", "--events", "b"},
+       "run: --events is given more than once, as \"a\" and \"b\"; leave one (kinex help run "
+       "tells"},
+      {{"gen", "grid", "-o", "a", "--output", "b"},
+       "gen: --output is given more than once, as \"a\" and \"b\"; leave"},
+      {{"gen", "grid", "--n", "3", "--n", "3"},
+       "gen: --n is given more than once, as \"3\" and \"3\"; leave one"},
+      {{"check", scene_, "--color", "auto", "--color", "auto"},
+       "check: --color is given more than once"},
+      {{"run", scene_, "--instants", "none"},
+       "--instants: no event log is written, and this is about the log alone; give --events FILE, "
+       "too, or leave"},
+      {{"run", scene_, "--provenance"},
+       "--provenance: no event log is written, and this is about the log alone"},
       {{"view", scene_, "-o", ""}, "the word \"\" is empty"},
       {{"run", ""}, "the word \"\" is empty"},
       {{"run", "--maintain", "sorted_list", "delaunay_2", scene_},
@@ -349,6 +364,12 @@ TEST_F(Typing, LogsAsTables) {
   const Finished flips = run_kinex({"log", log_, "--filter", "kind=flip"});
   EXPECT_THAT(flips.err, testing::MatchesRegex("kinex: [0-9]+ of [0-9]+ log records\n"));
   EXPECT_LT(flips.out.size(), all.out.size());
+  const Finished two = run_kinex({"log", log_, "--filter", "kind=flip,enter,external=true"});
+  EXPECT_EQ(two.out,
+            run_kinex({"log", log_, "--filter", "kind=flip", "--filter", "kind=enter"}).out);
+  EXPECT_GT(two.out.size(), flips.out.size());
+  EXPECT_THAT(run_kinex({"log", log_, "--filter", "kind=flip,filp"}).err,
+              HasSubstr("--filter: there is no kind \"filp\" in " + log_ + "; did you mean flip?"));
   const std::string file = scratch_.file("log.csv");
   EXPECT_EQ(run_kinex({"log", log_, "--csv", "-o", file}).exit_code, 0);
   EXPECT_THAT(read_file(file), StartsWith("seq,time,polynomial"));

@@ -41,7 +41,7 @@ LogTable table(LogTableForm form, const std::vector<std::string>& filters = {}) 
   LogReader reader(kLog, "t.log");
   LogFilter filter;
   for (const std::string& text : filters) filter.add(text);
-  filter.check(reader.header(), "t.log");
+  filter.fit(reader.header(), "t.log");
   return log_table(reader, filter, form);
 }
 
@@ -94,6 +94,10 @@ TEST(LogTable, Filters) {
   };
   EXPECT_EQ(shown({"kind=swap"}), 2u);
   EXPECT_EQ(shown({"kind=swap,kind=settled"}), 3u);  // alternatives
+  EXPECT_EQ(shown({"kind=swap,settled"}), 3u);
+  EXPECT_EQ(shown({"kind=swap,settled,object=d,e,a"}), 3u);
+  EXPECT_EQ(shown({"kind=tie,settled", "external=true,false"}), 1u);
+  EXPECT_EQ(shown({"predicate=order_y,order_x"}), 2u);
   EXPECT_EQ(shown({"kind=swap", "object=a"}), 1u);   // both
   EXPECT_EQ(shown({"object=a"}), 2u);                // also what was gone
   EXPECT_EQ(shown({"object=d,e"}), 1u);              // a comma in an id
@@ -111,6 +115,11 @@ TEST(LogTable, FiltersThatCannotBe) {
   EXPECT_INPUT_ERROR(filter.add("external=yes"), "neither true nor false");
   EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"kind=sawp"}),
                      "--filter: there is no kind \"sawp\" in t.log; did you mean swap?");
+  EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"kind=swap,sawp"}),
+                     "--filter: there is no kind \"sawp\" in t.log; did you mean swap?");
+  EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"object=a,z"}),
+                     "there is no object \"z\" in t.log");
+  EXPECT_INPUT_ERROR(filter.add("external=true,yes"), "\"yes\" is neither true nor false");
   EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"structure=hull"}), "it has list");
   EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"object=z"}), "there is no object \"z\" in t.log");
 }
