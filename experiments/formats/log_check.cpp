@@ -70,13 +70,15 @@ class Checker {
     if (header_.has_times()) check_time(record.time);
   }
 
-  void finish(const std::optional<LogEnd>& end, std::size_t line) {
+  void finish(const std::optional<LogEnd>& end, std::size_t line, bool is_cut) {
     line_ = line;
     verdict_.digest = digest_.hex();
-    if (!end)
-      return complain(
-          "the log has no last line: it was cut off; run the scene again (kinex run SCENE --events "
-          "FILE); kinex log shows what is there");
+    if (!end) {
+      return complain(std::string(is_cut ? "the log was cut off within this line"
+                                         : "the log has no last line: it was cut off") +
+                      "; run the scene again (kinex run SCENE --events FILE); kinex log shows what "
+                      "is there");
+    }
     verdict_.status = end->status;
     if (std::find(std::begin(kStatuses), std::end(kStatuses), end->status) == std::end(kStatuses)) {
       complain(quoted(end->status) + " is no way to end; it is done, limit or interrupted");
@@ -437,7 +439,7 @@ LogVerdict check_log(std::string_view text, const std::string& file, const Scene
   if (of_scene) {
     for (const auto& late : of_scene->late_problems(true)) checker.complain_of(late.line, late.problem);
   }
-  checker.finish(reader.end(), reader.line());
+  checker.finish(reader.end(), reader.line(), reader.cut_line() != 0);
   if (!of_scene) return verdict;
   if (reader.end()) {
     const std::string problem = of_scene->check(*reader.end());

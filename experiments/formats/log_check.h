@@ -31,16 +31,23 @@ struct LogVerdict {
   std::uint64_t instants = 0;      // distinct (logs with names only)
   std::string status;              // of the last line; empty if there is none
   std::string digest;              // recomputed
-  bool with_scene = false;         // level 2 was checked
+  bool with_scene = false;         // it was compared with its scene
   std::uint64_t certificates = 0;  // certificates checked at level 2
   UncheckedCertificates unchecked;  // those that level 2 could not check
   // "line 7: ..." for each claim that does not hold; at most kMaxProblems are kept.
   static constexpr std::size_t kMaxProblems = 20;
   std::vector<std::string> problems;
+
+  // Level 1, as far as the log's detail allows.
+  bool instants_checked() const { return header.has_intervals(); }
+  // Level 2: some certificates at least, where there are some.
+  bool certificates_checked() const {
+    return with_scene && header.has_names() && (certificates > 0 || unchecked.count() == 0);
+  }
 };
 
 // Checks levels 0 and 1, and level 2 if there is a scene. Throws InputError for text that is no
-// event log, or is cut off in the middle of a line. `hash`: that of the scene's file; if the log was
+// event log; that one was cut off is a problem. `hash`: that of the scene's file; if the log was
 // not made from that, its header alone is compared with the scene.
 LogVerdict check_log(std::string_view text, const std::string& file, const Scene* scene = nullptr,
                      const std::string& hash = {});

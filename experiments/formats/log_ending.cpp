@@ -14,13 +14,21 @@ constexpr std::string_view kAbout = "about ";  // of time_text()
 }  // namespace
 
 LogEnding ending_of(const LogReader& reader) {
-  if (!reader.end()) return {};
-  return {reader.end()->status, reader.end()->reached};
+  LogEnding ending;
+  ending.cut_line = reader.cut_line();
+  if (reader.end()) {
+    ending.status = reader.end()->status;
+    ending.reached = reader.end()->reached;
+  }
+  return ending;
 }
 
 std::string ending_text(const LogEnding& ending) {
   if (ending.whole()) return "";
-  if (ending.status == "cut off") return "was cut off";
+  if (ending.status == "cut off") {
+    return "was cut off" +
+           (ending.cut_line == 0 ? "" : " within line " + std::to_string(ending.cut_line));
+  }
   if (!ending.reached) return "ends early: " + ending.status;
   std::string time = time_text(*ending.reached);
   const bool about = time.starts_with(kAbout);
@@ -31,9 +39,14 @@ std::string ending_text(const LogEnding& ending) {
 std::string ending_note(const LogEnding& ending, const std::string& file) {
   if (ending.whole()) return "";
   if (ending.status == "cut off") {
-    return file +
-           ": the log has no last line: its run was cut off, and what is shown is all that was "
-           "written; for a whole log run the scene again (kinex run SCENE --events FILE)";
+    const std::string what =
+        ending.cut_line == 0
+            ? ": the log has no last line: its run was cut off, and what is shown is all that was "
+              "written"
+            : ": line " + std::to_string(ending.cut_line) +
+                  ": the log was cut off within this line; what is shown is all whole lines before "
+                  "it";
+    return file + what + "; for a whole log run the scene again (kinex run SCENE --events FILE)";
   }
   return file + ": the log " + ending_text(ending) + "; run the scene " +
          (ending.status == "limit" ? "with a larger limit" : "again") + " for the rest";

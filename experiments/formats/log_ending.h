@@ -3,6 +3,7 @@
 #ifndef KINEX_EXPERIMENTS_FORMATS_LOG_ENDING_H
 #define KINEX_EXPERIMENTS_FORMATS_LOG_ENDING_H
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -14,13 +15,14 @@ namespace kinex::formats {
 struct LogEnding {
   std::string status = "cut off";   // or as the last line says: done, limit, interrupted
   std::optional<Rational> reached;  // nullopt: no end, or cut off
+  std::size_t cut_line = 0;         // the line within which it was cut off; 0: none
 
   bool whole() const { return status == "done"; }
 };
 
 // Of a log that has been read to its end.
 LogEnding ending_of(const LogReader& reader);
-// "ends at t = 0.25: limit", "was cut off"; empty for a whole log.
+// "ends at t = 0.25: limit", "was cut off", "was cut off within line 14"; empty for a whole log.
 std::string ending_text(const LogEnding& ending);
 // The same for a message, with a remedy; empty for a whole log.
 std::string ending_note(const LogEnding& ending, const std::string& file);

@@ -9,7 +9,6 @@
 #include "experiments/formats/counted.h"
 #include "experiments/formats/event_log.h"
 #include "experiments/formats/input_error.h"
-#include "experiments/formats/json_defect.h"
 #include "experiments/formats/json_node.h"
 #include "experiments/formats/json_writer.h"
 
@@ -253,19 +252,13 @@ LogReader::LogReader(std::string_view text, std::string file)
   read_header(line);
 }
 
-JsonDocument LogReader::parse_line(std::string_view line) const {
+std::optional<JsonDocument> LogReader::parse_line(std::string_view line) const {
   try {
     return parse_json(line, file_, line_);
-  } catch (const InputError& error) {
+  } catch (const InputError&) {
     // Only a log that was cut off has a line without its end.
-    if (!rest_.empty() || text_.ends_with('\n') || !error.problem().starts_with(kEndsEarly)) throw;
-    const std::string whole = std::to_string(line_ - 1);
-    throw InputError(error.file(), error.place(),
-                     "the log is cut off within its last line: " + error.problem(),
-                     line_ == 1 ? "run the scene again (kinex run SCENE --events FILE)"
-                                : "run the scene again (kinex run SCENE --events FILE), or keep "
-                                  "the whole lines: head -n " +
-                                      whole + " " + file_ + " > WHOLE.log");
+    if (!rest_.empty() || text_.ends_with('\n') || !line.starts_with('{')) throw;
+    return std::nullopt;
   }
 }
 
@@ -279,8 +272,12 @@ bool LogReader::next_line(std::string_view& line) {
 }
 
 void LogReader::read_header(std::string_view line) {
-  const JsonDocument document = parse_line(line);
-  const JsonValue& tree = *document;
+  const std::optional<JsonDocument> document = parse_line(line);
+  if (!document) {
+    throw InputError(file_, "line 1", "the log was cut off within its first line",
+                     "run the scene again (kinex run SCENE --events FILE)");
+  }
+  const JsonValue& tree = **document;
   const JsonSource source{file_, line, line_};
   const JsonNode node(tree, source);
   if (!node.is(JsonValue::Kind::kObject)) node.refuse("the header of an event log", "write {..}");
@@ -320,8 +317,12 @@ bool LogReader::next(LogRecord& record) {
     throw InputError(file_, "line " + std::to_string(line_), "text after the last line of the log",
                      "remove it");
   }
-  const JsonDocument document = parse_line(line);
-  const JsonValue& tree = *document;
+  const std::optional<JsonDocument> document = parse_line(line);
+  if (!document) {
+    cut_line_ = line_;
+    return false;
+  }
+  const JsonValue& tree = **document;
   const JsonSource source{file_, line, line_};
   const JsonNode node(tree, source);
   if (node.find("end")) {

@@ -93,21 +93,23 @@ class LogReader {
 
   const std::string& file() const { return file_; }
   const LogHeader& header() const { return header_; }
-  // The next record; false at the end of the log.
+  // The next record; false at the end of the log, and at a line within which it was cut off.
   bool next(LogRecord& record);
   // The last line, once next() has returned false; nullopt: the log was cut off.
   const std::optional<LogEnd>& end() const { return end_; }
+  // Then also: the number of the line within which it was cut off; 0: it ends with a whole line.
+  std::size_t cut_line() const { return cut_line_; }
   std::size_t line() const { return line_; }
 
  private:
   bool next_line(std::string_view& line);
-  // Says of the last line of a log that was cut off what to do.
-  JsonDocument parse_line(std::string_view line) const;
+  // nullopt: the log was cut off within this line, its last one.
+  std::optional<JsonDocument> parse_line(std::string_view line) const;
   void read_header(std::string_view line);
 
   std::string_view text_, rest_;
   std::string file_;
-  std::size_t line_ = 0;
+  std::size_t line_ = 0, cut_line_ = 0;
   LogHeader header_;
   std::optional<LogEnd> end_;
 };

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex check: validates a scene, or re-verifies an event log.
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "experiments/formats/counted.h"
 #include "experiments/formats/file_io.h"
@@ -29,30 +31,67 @@ struct CheckOptions {
   bool json = false;
 };
 
-std::string levels_text(const formats::LogVerdict& verdict) {
-  std::string text = "levels 0, 1";
-  if (verdict.with_scene) text += ", 2";
-  text += ": format, names, counts, digest, seal";
-  if (!verdict.header.exact) {
-    text += "; the times are inexact and not compared";
-  } else if (verdict.header.has_names()) {
+std::vector<std::uint64_t> levels_of(const formats::LogVerdict& verdict) {
+  std::vector<std::uint64_t> levels{0};
+  if (verdict.instants_checked()) levels.push_back(1);
+  if (verdict.certificates_checked()) levels.push_back(2);
+  return levels;
+}
+
+// "not checked: level 1 (instants) and level 2 (24 certificates), since ..", a line; empty: all was checked.
+std::string unchecked_text(const formats::LogVerdict& verdict) {
+  const std::string certificates =
+      formats::counted(verdict.unchecked.count(), "certificate", "certificates");
+  if (verdict.header.has_names()) {
+    if (verdict.unchecked.count() == 0) return "";
+    return (verdict.certificates_checked() ? "" : "level 2 was ") + verdict.unchecked.text() + "\n";
+  }
+  std::string levels = verdict.instants_checked() ? "" : "level 1 (instants)";
+  if (verdict.with_scene) {
+    levels += (levels.empty() ? "level 2 (" : " and level 2 (") + certificates + ")";
+  }
+  if (levels.empty()) return "";
+  return "not checked: " + levels + ", since " +
+         (!verdict.header.exact ? "the arithmetic " + verdict.header.arithmetic + " is not exact"
+          : verdict.instants_checked() ? "the log does not name its instants"
+                                       : "the log has no instants") +
+         "\n";
+}
+
+// `no_scene`: why there is none; empty if there is one.
+std::string levels_text(const formats::LogVerdict& verdict, const std::string& no_scene) {
+  std::string text;
+  for (const std::uint64_t level : levels_of(verdict)) {
+    text += (text.empty() ? "" : ", ") + std::to_string(level);
+  }
+  text = (text.size() == 1 ? "level " : "levels ") + text + ": format, names, counts, digest, seal";
+  if (verdict.header.has_names()) {
     text += "; every instant's root, the order of instants";
   } else if (verdict.header.has_intervals()) {
     text += "; the order of instants as far as their intervals decide";
-  } else {
-    text += "; the log has no instants";
   }
-  if (verdict.with_scene) {
-    text += "; the scene, and the polynomials of " +
+  if (verdict.with_scene) text += "; the scene";
+  if (verdict.certificates_checked()) {
+    text += ", and the polynomials of " +
             formats::counted(verdict.certificates, "certificate", "certificates");
-    if (verdict.unchecked.count() != 0) text += "\n          " + verdict.unchecked.text();
   }
-  return text + "\n          " +
-         (verdict.with_scene ? "" : "--scene SCENE checks the certificates too; ") +
-         "kinex-logcheck replays the events\n";
+  text += "\n";
+  const auto add_line = [&text](const std::string& line) {
+    if (!line.empty()) text += "          " + line;
+  };
+  add_line(unchecked_text(verdict));
+  const bool exact = verdict.header.has_names();
+  std::string more;
+  if (!verdict.with_scene) {
+    more = no_scene + (no_scene.empty() ? "" : "; ") + "--scene SCENE " +
+           (exact ? "checks the certificates too" : "checks that it is the scene of the log");
+  }
+  if (exact) more += std::string(more.empty() ? "" : "; ") + "kinex-logcheck replays the events";
+  if (!more.empty()) add_line(more + "\n");
+  return text;
 }
 
-std::string log_text(const formats::LogVerdict& verdict) {
+std::string log_text(const formats::LogVerdict& verdict, const std::string& no_scene) {
   std::string text = "log       " + verdict.header.scene + ", " + verdict.header.arithmetic + ", " +
                      verdict.header.build + "\n";
   text += "scene     " + verdict.header.scene_hash + "\n";
@@ -63,7 +102,7 @@ std::string log_text(const formats::LogVerdict& verdict) {
   }
   text += "\ndigest    " + verdict.digest + "\n";
   text += "run       " + (verdict.status.empty() ? "cut off" : verdict.status) + "\n";
-  if (verdict.problems.empty()) text += "verified  " + levels_text(verdict);
+  if (verdict.problems.empty()) text += "verified  " + levels_text(verdict, no_scene);
   return text;
 }
 
@@ -80,9 +119,10 @@ std::string log_json(const formats::LogVerdict& verdict) {
   } else {
     json.null();
   }
-  json.key("levels").begin_array().number(0).number(1);
-  if (verdict.with_scene) json.number(2);
+  json.key("levels").begin_array();
+  for (const std::uint64_t level : levels_of(verdict)) json.number(level);
   json.end_array().key("certificates").number(verdict.certificates);
+  json.key("unchecked").number(verdict.unchecked.count());
   json.key("digest").string(verdict.digest).key("status");
   json.string(verdict.status.empty() ? "cut off" : verdict.status);
   json.key("problems").begin_array();
@@ -101,38 +141,45 @@ std::string scene_json(const Scene& scene) {
   return text + "\n";
 }
 
-void report_log(const formats::LogVerdict& verdict, const CheckOptions& options, const Voice& voice,
-                int& exit_code) {
+void report_log(const formats::LogVerdict& verdict, const std::string& no_scene,
+                const CheckOptions& options, const Voice& voice, int& exit_code) {
   if (options.json) {
     print(log_json(verdict));
   } else {
-    voice.report(log_text(verdict));
+    voice.report(log_text(verdict, no_scene));
   }
   for (const std::string& problem : verdict.problems) voice.error(options.file + ": " + problem);
   if (!verdict.problems.empty()) exit_code = kExitFailed;
 }
 
-// The file beside the log with the name of its scene, if that is the scene.
-std::optional<Scene> scene_beside(const std::string& text, const std::string& path,
-                                  const Voice& voice) {
-  const formats::LogHeader header = formats::LogReader(text, path).header();
-  if (path == "-" || header.scene.find('/') != std::string::npos) return std::nullopt;
-  const std::filesystem::path file =
-      std::filesystem::path(path).parent_path() / (header.scene + ".json");
+// The file beside the log with the name of its scene.
+std::string file_beside(const formats::LogHeader& header, const std::string& path) {
+  return (std::filesystem::path(path).parent_path() / (header.scene + ".json")).string();
+}
+
+// The scene in that file, if it is that of the log; else `why` not.
+std::optional<Scene> scene_beside(const formats::LogHeader& header, const std::string& path,
+                                  std::string& why) {
+  if (path == "-") {
+    why = "standard input has no scene beside it";
+    return std::nullopt;
+  }
+  if (header.scene.empty() || header.scene.find('/') != std::string::npos) {
+    why = "the name of the scene, " + show_text(header.scene) + ", is none of a file";
+    return std::nullopt;
+  }
+  const std::string file = file_beside(header, path);
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
-    voice.detail("without the scene: there is no " + file.string());
+    why = "there is no " + file;
     return std::nullopt;
   }
   try {
-    Scene scene = formats::read_scene(file.string());
-    if (formats::scene_hash(scene) == header.scene_hash) {
-      voice.detail("with the scene " + file.string());
-      return scene;
-    }
-    voice.detail("without the scene: " + file.string() + " has another hash");
+    Scene scene = formats::read_scene(file);
+    if (formats::scene_hash(scene) == header.scene_hash) return scene;
+    why = file + " is another scene: it has another hash";
   } catch (const formats::InputError& problem) {
-    voice.detail("without the scene: " + std::string(problem.what()));
+    why = problem.what();
   }
   return std::nullopt;
 }
@@ -154,15 +201,19 @@ void check(const CheckOptions& options, const Voice& voice, int& exit_code) {
   const std::string text = formats::read_text_file(options.file);
   if (formats::looks_like_log(text)) {
     std::optional<Scene> scene;
+    std::string no_scene;
     if (options.scene.empty()) {
-      scene = scene_beside(text, options.file, voice);
+      const formats::LogHeader header = formats::LogReader(text, options.file).header();
+      scene = scene_beside(header, options.file, no_scene);
+      voice.detail(scene ? "with the scene " + file_beside(header, options.file)
+                         : "without the scene: " + no_scene);
     } else {
       scene = formats::read_scene(options.scene);
     }
     const formats::LogVerdict verdict =
         scene ? formats::check_log(text, options.file, &*scene, formats::scene_hash(*scene))
               : formats::check_log(text, options.file);
-    report_log(verdict, options, voice, exit_code);
+    report_log(verdict, no_scene, options, voice, exit_code);
     return;
   }
   if (!options.scene.empty()) {
@@ -185,8 +236,10 @@ void add_check_verb(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand("check", "Validates a scene, or verifies an event log again");
   verb->add_option("FILE", options->file, "A scene or an event log, - reads standard input")
       ->required();
-  verb->add_option("--scene", options->scene,
-                   "The scene of the log (default: NAME.json next to the log, if its hash agrees)");
+  verb->add_option(
+      "--scene", options->scene,
+      "The scene of the log (default: next to the log, NAME.json for a scene with the name "
+      "NAME, if its hash agrees)");
   verb->add_flag("--json", options->json, "Print one JSON object instead");
   add_voice(*verb, "Print nothing but errors: the exit code tells whether all is well",
             "Of a scene: the model of its run; of a log: which scene it was checked with; on standard "
@@ -196,7 +249,8 @@ void add_check_verb(CLI::App& app, int& exit_code) {
       "Sturm's theorem, that every interval holds the root that it claims and that\n"
       "times never decrease (level 1); with the scene also that each certificate's\n"
       "polynomial, made anew, vanishes at its instant and is negative right after it\n"
-      "(level 2, points). kinex-logcheck replays the events.\n"
+      "(level 2, points). Of a log of an inexact arithmetic it checks level 0, and the\n"
+      "scene, alone. It says what it did not check. kinex-logcheck replays the events.\n"
       "Example:\n"
       "  kinex check square.log --scene square.json");
   verb->callback([options, verb, &exit_code] { check(*options, voice_of(*verb), exit_code); });
