@@ -2,7 +2,9 @@
 #include "experiments/formats/log_diff.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -17,22 +19,19 @@ namespace kinex::formats {
 
 namespace {
 
-struct Entry {
-  std::uint32_t name;     // of structure, kind, ids and change
-  std::uint32_t kind;     // of structure and kind
-  std::uint32_t instant;  // place in Log::instants
-  bool external;
+// What is compared of a record that has a match, and counted.
+struct Said {
+  std::uint32_t kind;  // of structure and kind
+  bool external, is_change;
   std::size_t line;
 };
 
 // The label that a log has for a structure -> the one under which it is compared.
 using Labels = std::map<std::string, std::string>;
 
-struct Log {
-  LogHeader header;
-  std::vector<Entry> events;
-  std::vector<std::uint32_t> changes;  // names
-  std::vector<LogInstant> instants;    // distinct ones, in the order of the log
+struct Log : MatchedLog {
+  std::vector<Said> said;           // of each of `entries`
+  std::vector<std::size_t> events;  // places of those that are no changes
 };
 
 // Numbers for strings, shared by both logs.
@@ -54,10 +53,10 @@ void write_ids(JsonWriter& json, const std::vector<std::string>& ids) {
   json.end_array();
 }
 
-std::string name_of(const LogRecord& record, const std::string& label) {
+std::string name_of(const LogRecord& record, const std::string& label, bool change) {
   std::string text;
   JsonWriter json(text);
-  json.begin_array().string(label).string(record.kind);
+  json.begin_array().boolean(change).string(label).string(record.kind);
   write_ids(json, record.ids);
   if (record.change) {
     write_ids(json, record.change->gone);
@@ -87,7 +86,7 @@ class Kinds {
     }
     return place->second;
   }
-  KindDifference& of(const Entry& entry) { return tallies_[entry.kind]; }
+  KindDifference& of(std::uint32_t number) { return tallies_[number]; }
   std::vector<KindDifference> sorted() const {
     std::vector<KindDifference> result;
     for (const auto& [name, number] : numbers_) result.push_back(tallies_[number]);
@@ -106,124 +105,146 @@ Log read_log(LogReader& reader, const Labels& labels, Names& names, Kinds& kinds
   while (reader.next(record)) {
     const auto label = labels.find(record.structure);
     if (label == labels.end()) continue;
-    const std::uint32_t name = names.number(name_of(record, label->second));
-    if (is_change(record)) {
-      log.changes.push_back(name);
-      continue;
-    }
+    const bool change = is_change(record);
     if (log.instants.empty() || !same_text(log.instants.back(), record.time)) {
       log.instants.push_back(record.time);
     }
-    log.events.push_back({name, kinds.number(label->second, record.kind),
-                          static_cast<std::uint32_t>(log.instants.size() - 1), record.external,
-                          record.line});
+    if (!change) log.events.push_back(log.entries.size());
+    log.entries.push_back({names.number(name_of(record, label->second, change)),
+                           static_cast<std::uint32_t>(log.instants.size() - 1)});
+    // Changes are not counted by kind.
+    const std::uint32_t kind = change ? 0 : kinds.number(label->second, record.kind);
+    log.said.push_back({kind, record.external, change, record.line});
   }
+  log.ending = ending_of(reader);
   return log;
 }
 
-// Compares instants of two logs, each pair once.
-class Instants {
- public:
-  Instants(const Log& a, const Log& b) : a_(a), b_(b) {
-    if (a.header.has_names() && b.header.has_names()) {
-      compared_ = InstantsCompared::kExactly;
-    } else if (a.header.has_intervals() && b.header.has_intervals()) {
-      compared_ = InstantsCompared::kIntervals;
+// By place in a: the event has a match and stands, with the fewest others, in the way of an order that both
+// logs have. The others are a longest increasing subsequence of the matches.
+std::vector<bool> out_of_order(const Log& a, const LogMatch& match) {
+  std::vector<bool> result(a.entries.size(), false);
+  // tails[k]: the event of a at the smallest end of an increasing subsequence of length k + 1
+  std::vector<std::size_t> tails, before(a.entries.size(), LogMatch::kNone);
+  for (const std::size_t i : a.events) {
+    if (match.in_b[i] == LogMatch::kNone) continue;
+    result[i] = true;
+    const auto at = std::lower_bound(
+        tails.begin(), tails.end(), match.in_b[i],
+        [&](std::size_t tail, std::size_t place) { return match.in_b[tail] < place; });
+    if (at != tails.begin()) before[i] = *(at - 1);
+    if (at == tails.end()) {
+      tails.push_back(i);
+    } else {
+      *at = i;
     }
   }
-
-  InstantsCompared compared() const { return compared_; }
-
-  bool same(std::uint32_t in_a, std::uint32_t in_b) {
-    if (compared_ == InstantsCompared::kNot) return true;
-    const auto [place, is_new] = known_.try_emplace({in_a, in_b}, false);
-    if (is_new) place->second = look(a_.instants[in_a], b_.instants[in_b]);
-    return place->second;
-  }
-
- private:
-  bool look(const LogInstant& a, const LogInstant& b) {
-    if (same_text(a, b)) return true;
-    const bool names_a = a_.header.has_names(), names_b = b_.header.has_names();
-    if (names_a && names_b && a.root == b.root && a.polynomial == b.polynomial) return true;
-    if (a.upper < b.lower || b.upper < a.lower) return false;
-    if (!names_a && !names_b) return true;
-    // Only instants without defects can be compared as numbers.
-    if ((names_a && !instant_problem(a, a_.header).empty()) ||
-        (names_b && !instant_problem(b, b_.header).empty())) {
-      return false;
-    }
-    if (names_a && names_b) {
-      RealRoot of_a = root_of(a), of_b = root_of(b);
-      return compare(of_a, of_b, counters_) == 0;
-    }
-    RealRoot root = root_of(names_a ? a : b);
-    const LogInstant& interval = names_a ? b : a;
-    return compare(root, interval.lower, counters_) >= 0 &&
-           compare(root, interval.upper, counters_) <= 0;
-  }
-
-  const Log& a_;
-  const Log& b_;
-  InstantsCompared compared_ = InstantsCompared::kNot;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, bool> known_;
-  RootCounters counters_;
-};
-
-// For each event of `a` the position in `b` of its match, or kNone.
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-std::vector<std::size_t> match(const std::vector<Entry>& a, const std::vector<Entry>& b,
-                               std::size_t names) {
-  std::vector<std::vector<std::size_t>> places(names);
-  for (std::size_t i = 0; i < b.size(); ++i) places[b[i].name].push_back(i);
-  std::vector<std::size_t> used(names, 0);
-  std::vector<std::size_t> result;
-  for (const Entry& entry : a) {
-    std::size_t& next = used[entry.name];
-    result.push_back(next < places[entry.name].size() ? places[entry.name][next++] : kNone);
+  for (std::size_t i = tails.empty() ? LogMatch::kNone : tails.back(); i != LogMatch::kNone;
+       i = before[i]) {
+    result[i] = false;
   }
   return result;
 }
 
-// Length of the longest increasing subsequence of the matched positions.
-std::size_t longest_in_order(const std::vector<std::size_t>& positions) {
-  std::vector<std::size_t>
-      tails;  // tails[k]: smallest end of an increasing subsequence of length k + 1
-  for (const std::size_t position : positions) {
-    if (position == kNone) continue;
-    const auto at = std::lower_bound(tails.begin(), tails.end(), position);
-    if (at == tails.end()) {
-      tails.push_back(position);
-    } else {
-      *at = position;
-    }
-  }
-  return tails.size();
-}
-
-// The number of elements in one list and not in the other, with multiplicity.
-std::uint64_t not_in_both(std::vector<std::uint32_t> a, std::vector<std::uint32_t> b) {
-  std::sort(a.begin(), a.end());
-  std::sort(b.begin(), b.end());
-  std::vector<std::uint32_t> apart;
-  std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(apart));
-  return apart.size();
-}
-
-void find_first(const std::vector<Entry>& a, const std::vector<Entry>& b, Instants& instants,
-                LogDifference& result) {
-  for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
-    const bool both = i < a.size() && i < b.size();
-    if (both && a[i].name == b[i].name && a[i].external == b[i].external &&
-        instants.same(a[i].instant, b[i].instant)) {
-      continue;
+void find_first(const Log& a, const Log& b, InstantsOf& instants, LogDifference& result) {
+  for (std::size_t i = 0; i < std::max(a.events.size(), b.events.size()); ++i) {
+    const bool in_a = i < a.events.size(), in_b = i < b.events.size();
+    if (in_a && in_b) {
+      const auto &one = a.entries[a.events[i]], &other = b.entries[b.events[i]];
+      if (one.name == other.name && a.said[a.events[i]].external == b.said[b.events[i]].external &&
+          instants.same(one.instant, other.instant)) {
+        continue;
+      }
     }
     result.first = i + 1;
-    if (i < a.size()) result.line_a = a[i].line;
-    if (i < b.size()) result.line_b = b[i].line;
+    if (in_a) result.line_a = a.said[a.events[i]].line;
+    if (in_b) result.line_b = b.said[b.events[i]].line;
     return;
   }
 }
+
+// Counts what differs, and lists the first `most`.
+class Tally {
+ public:
+  Tally(const Log& a, const Log& b, Kinds& kinds, std::size_t most, LogDifference& result)
+      : a_(a), b_(b), kinds_(kinds), most_(most), result_(result) {}
+
+  void count(const LogMatch& match, InstantsOf& instants) {
+    const std::vector<bool> astray = out_of_order(a_, match);
+    std::vector<bool> matched(b_.entries.size(), false);
+    for (const std::size_t j : match.in_b) {
+      if (j != LogMatch::kNone) matched[j] = true;
+    }
+    std::size_t next = 0;  // in b
+    const auto alone_in_b = [&](std::size_t end) {
+      for (; next < end; ++next) {
+        if (!matched[next]) add_alone(b_, next, match.after_a[next], false);
+      }
+    };
+    for (std::size_t i = 0; i < a_.entries.size(); ++i) {
+      const std::size_t j = match.in_b[i];
+      if (j == LogMatch::kNone) {
+        add_alone(a_, i, match.after_b[i], true);
+        continue;
+      }
+      alone_in_b(j);
+      const Said &one = a_.said[i], &other = b_.said[j];
+      count_event(one, true);
+      count_event(other, false);
+      if (one.is_change) continue;
+      RecordDifference difference;
+      difference.out_of_order = astray[i];
+      difference.other_effect = one.external != other.external;
+      difference.other_instant = !instants.same(a_.entries[i].instant, b_.entries[j].instant);
+      result_.out_of_order += difference.out_of_order ? 1 : 0;
+      result_.other_effects += difference.other_effect ? 1 : 0;
+      result_.other_instants += difference.other_instant ? 1 : 0;
+      difference.line_a = one.line;
+      difference.line_b = other.line;
+      if (difference.out_of_order || difference.other_effect || difference.other_instant)
+        add(difference);
+    }
+    alone_in_b(b_.entries.size());
+  }
+
+ private:
+  void count_event(const Said& entry, bool in_a) {
+    if (entry.is_change) return;
+    KindDifference& kind = kinds_.of(entry.kind);
+    ++(in_a ? kind.events_a : kind.events_b);
+  }
+
+  void add_alone(const Log& log, std::size_t place, bool after_end, bool in_a) {
+    const Said& entry = log.said[place];
+    count_event(entry, in_a);
+    if (after_end) {
+      ++(in_a ? result_.after_b : result_.after_a);
+      return;
+    }
+    RecordDifference difference;
+    difference.is_change = entry.is_change;
+    (in_a ? difference.line_a : difference.line_b) = entry.line;
+    add(difference);
+    if (entry.is_change) {
+      ++result_.other_records;
+      return;
+    }
+    KindDifference& kind = kinds_.of(entry.kind);
+    ++(in_a ? kind.missing : kind.invented);
+    ++(in_a ? result_.missing : result_.invented);
+  }
+
+  void add(const RecordDifference& difference) {
+    ++result_.different;
+    if (result_.differences.size() < most_) result_.differences.push_back(difference);
+  }
+
+  const Log& a_;
+  const Log& b_;
+  Kinds& kinds_;
+  const std::size_t most_;
+  LogDifference& result_;
+};
 
 bool is_same(const LogStructure& a, const LogStructure& b) {
   return a.structure == b.structure && a.key == b.key && a.options == b.options;
@@ -272,27 +293,76 @@ std::string described(const LogHeader& header, const LogHeader& other) {
   return text;
 }
 
-// The records of two lines, as rows of one table; line 0: no record.
-void show_rows(std::string_view text_a, std::string_view text_b, LogDifference& result) {
-  std::vector<LogRow> rows;
-  for (const auto& [text, line] :
-       {std::pair(text_a, result.line_a), std::pair(text_b, result.line_b)}) {
-    if (line == 0) continue;
+// Rows for lines of both logs: aligned for each of the sets of lines. Line 0: no record.
+class Rows {
+ public:
+  Rows(std::string_view text_a, std::string_view text_b) : text_a_(text_a), text_b_(text_b) {}
+
+  void want(std::size_t line_a, std::size_t line_b) {
+    if (line_a != 0) wanted_a_.emplace(line_a, LogRow{});
+    if (line_b != 0) wanted_b_.emplace(line_b, LogRow{});
+  }
+  void read() {
+    read(text_a_, wanted_a_);
+    read(text_b_, wanted_b_);
+  }
+  // The rows of the lines (of a, of b), as lines of one table.
+  std::vector<std::pair<std::string, std::string>> aligned(
+      const std::vector<std::pair<std::size_t, std::size_t>>& lines) const {
+    std::vector<LogRow> rows;
+    for (const auto& [line_a, line_b] : lines) {
+      if (line_a != 0) rows.push_back(wanted_a_.at(line_a));
+      if (line_b != 0) rows.push_back(wanted_b_.at(line_b));
+    }
+    const std::vector<std::string> texts = aligned_rows(rows);
+    std::vector<std::pair<std::string, std::string>> result;
+    std::size_t next = 0;
+    for (const auto& [line_a, line_b] : lines) {
+      auto& [text_a, text_b] = result.emplace_back();
+      if (line_a != 0) text_a = texts[next++];
+      if (line_b != 0) text_b = texts[next++];
+    }
+    return result;
+  }
+
+ private:
+  using Wanted = std::map<std::size_t, LogRow>;
+  static void read(std::string_view text, Wanted& wanted) {
+    if (wanted.empty()) return;
     LogReader reader(text, "");
     LogRecord record;
-    while (reader.next(record) && record.line != line) {
+    while (reader.next(record)) {
+      const auto found = wanted.find(record.line);
+      if (found == wanted.end()) continue;
+      found->second = log_row(record, reader.header());
+      if (std::next(found) == wanted.end()) return;
     }
-    rows.push_back(log_row(record, reader.header()));
   }
-  const std::vector<std::string> lines = aligned_rows(rows);
-  if (result.line_a != 0) result.row_a = lines.front();
-  if (result.line_b != 0) result.row_b = lines.back();
+
+  std::string_view text_a_, text_b_;
+  Wanted wanted_a_, wanted_b_;
+};
+
+void show_rows(std::string_view text_a, std::string_view text_b, LogDifference& result) {
+  Rows rows(text_a, text_b);
+  std::vector<std::pair<std::size_t, std::size_t>> lines;
+  rows.want(result.line_a, result.line_b);
+  for (const RecordDifference& one : result.differences) {
+    rows.want(one.line_a, one.line_b);
+    lines.emplace_back(one.line_a, one.line_b);
+  }
+  rows.read();
+  std::tie(result.row_a, result.row_b) = rows.aligned({{result.line_a, result.line_b}}).front();
+  const auto texts = rows.aligned(lines);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    std::tie(result.differences[i].row_a, result.differences[i].row_b) = texts[i];
+  }
 }
 
 }  // namespace
 
 LogDifference diff_logs(std::string_view text_a, const std::string& file_a, std::string_view text_b,
-                        const std::string& file_b) {
+                        const std::string& file_b, std::size_t most) {
   LogReader reader_a(text_a, file_a);
   LogReader reader_b(text_b, file_b);
   LogDifference result;
@@ -310,39 +380,17 @@ LogDifference diff_logs(std::string_view text_a, const std::string& file_a, std:
   Kinds kinds;
   const Log a = read_log(reader_a, labels_a, names, kinds);
   const Log b = read_log(reader_b, labels_b, names, kinds);
-  Instants instants(a, b);
+  InstantsOf instants(a, b);
 
-  result.ending_a = ending_of(reader_a);
-  result.ending_b = ending_of(reader_b);
+  result.ending_a = a.ending;
+  result.ending_b = b.ending;
   result.events_a = a.events.size();
   result.events_b = b.events.size();
   result.instants = instants.compared();
   result.other_scenes = a.header.scene_hash != b.header.scene_hash;
-  result.other_records = not_in_both(a.changes, b.changes);
-  find_first(a.events, b.events, instants, result);
-  if (result.first != 0) show_rows(text_a, text_b, result);
-  for (const Entry& event : a.events) {
-    ++kinds.of(event).events_a;
-    ++kinds.of(event).missing;  // less the matched ones, below
-  }
-  for (const Entry& event : b.events) {
-    ++kinds.of(event).events_b;
-    ++kinds.of(event).invented;
-  }
-  const std::vector<std::size_t> matched = match(a.events, b.events, names.size());
-  std::size_t common = 0;
-  for (std::size_t i = 0; i < a.events.size(); ++i) {
-    if (matched[i] == kNone) continue;
-    ++common;
-    --kinds.of(a.events[i]).missing;
-    --kinds.of(a.events[i]).invented;
-    const Entry& other = b.events[matched[i]];
-    if (a.events[i].external != other.external) ++result.other_effects;
-    if (!instants.same(a.events[i].instant, other.instant)) ++result.other_instants;
-  }
-  result.missing = a.events.size() - common;
-  result.invented = b.events.size() - common;
-  result.out_of_order = common - longest_in_order(matched);
+  find_first(a, b, instants, result);
+  Tally(a, b, kinds, most, result).count(match_logs(a, b, instants, names.size()), instants);
+  show_rows(text_a, text_b, result);
   result.kinds = kinds.sorted();
   return result;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// kinex diff: the first difference of two runs, and the amount of disagreement.
+// kinex diff: the first difference of two runs, the amount of disagreement, and which records differ.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -23,8 +24,11 @@ namespace {
 
 struct DiffOptions {
   std::string a, b;
-  bool json = false;
+  bool json = false, all = false;
 };
+
+// Differences that are listed unless all are asked for.
+constexpr std::size_t kListed = 10;
 
 // "  a.log:13:  12  0.333  1/3  sorted_list  swap  ..", with places as wide as `width`.
 std::string row(const std::string& file, std::size_t line, const std::string& text,
@@ -45,10 +49,61 @@ std::string rows(const formats::LogDifference& difference, const DiffOptions& op
          row(options.b, difference.line_b, difference.row_b, width);
 }
 
+// "missing", "out of order, at another instant"
+std::vector<std::string> words_of(const formats::RecordDifference& one) {
+  if (one.missing() || one.invented()) {
+    return {one.is_change ? "in one log only" : one.missing() ? "missing" : "invented"};
+  }
+  std::vector<std::string> words;
+  if (one.out_of_order) words.emplace_back("out of order");
+  if (one.other_effect) words.emplace_back("another effect");
+  if (one.other_instant) words.emplace_back("another instant");
+  return words;
+}
+
 std::string listed(const std::vector<std::string>& labels) {
   std::string text;
   for (const std::string& label : labels) text += (text.empty() ? "" : ", ") + label;
   return text;
+}
+
+// Every difference that is told, as lines "  missing  a.log:13:  12  0.333  1/3  sorted_list  swap  ..".
+std::string list_of(const formats::LogDifference& difference, const DiffOptions& options) {
+  struct Line {
+    std::string what, place, text;
+  };
+  std::vector<Line> lines;
+  for (const formats::RecordDifference& one : difference.differences) {
+    std::string what = listed(words_of(one));
+    const auto add = [&](const std::string& file, std::size_t line, const std::string& text) {
+      if (line == 0) return;
+      lines.push_back({what, file + ":" + std::to_string(line) + ":", text});
+      what.clear();
+    };
+    add(options.a, one.line_a, one.row_a);
+    add(options.b, one.line_b, one.row_b);
+  }
+  std::size_t whats = 0, places = 0;
+  for (const Line& line : lines) {
+    whats = std::max(whats, line.what.size());
+    places = std::max(places, line.place.size());
+  }
+  std::string text;
+  for (Line& line : lines) {
+    line.what.resize(whats, ' ');
+    line.place.resize(places, ' ');
+    text += "  " + line.what + "  " + line.place + "  " + line.text + "\n";
+  }
+  const std::uint64_t more = difference.different - difference.differences.size();
+  if (more != 0) text += "  and " + std::to_string(more) + " more; --all lists them\n";
+  return text;
+}
+
+// "5 records of a.log are after the end of b.log"; empty for none.
+std::string after_text(std::uint64_t number, const std::string& file, const std::string& other) {
+  if (number == 0) return "";
+  return formats::counted(number, "record", "records") + " of " + file +
+         (number == 1 ? " is" : " are") + " after the end of " + other + "\n";
 }
 
 std::string_view instants_text(formats::InstantsCompared compared) {
@@ -106,7 +161,9 @@ std::string plain_text(const formats::LogDifference& difference, const DiffOptio
     text += formats::counted(difference.other_records, "record of a change is", "records of changes are") +
             " in one log only\n";
   }
-  return text;
+  text += after_text(difference.after_b, options.a, options.b) +
+          after_text(difference.after_a, options.b, options.a);
+  return text + list_of(difference, options);
 }
 
 void write_labels(formats::JsonWriter& json, const std::vector<std::string>& labels) {
@@ -127,7 +184,21 @@ std::string_view compared_name(formats::InstantsCompared compared) {
   return "";
 }
 
-std::string json_text(const formats::LogDifference& difference) {
+void write_differences(formats::JsonWriter& json, const formats::LogDifference& difference) {
+  json.key("differences").begin_array();
+  for (const formats::RecordDifference& one : difference.differences) {
+    json.begin_object().key("what");
+    write_labels(json, words_of(one));
+    json.key("lines").begin_array();
+    for (const std::size_t line : {one.line_a, one.line_b}) {
+      line == 0 ? json.null() : json.number(static_cast<std::uint64_t>(line));
+    }
+    json.end_array().end_object();
+  }
+  json.end_array();
+}
+
+std::string json_text(const formats::LogDifference& difference, bool all) {
   std::string text;
   formats::JsonWriter json(text);
   json.begin_object().key("equal").boolean(difference.equal());
@@ -150,14 +221,18 @@ std::string json_text(const formats::LogDifference& difference) {
   json.key("other_effects").number(difference.other_effects);
   json.key("other_instants").number(difference.other_instants);
   json.key("other_records").number(difference.other_records);
-  json.key("instants_compared").string(compared_name(difference.instants)).end_object();
+  json.key("after_end").begin_array().number(difference.after_b).number(difference.after_a);
+  json.end_array().key("instants_compared").string(compared_name(difference.instants));
+  if (all) write_differences(json, difference);
+  json.end_object();
   return text + "\n";
 }
 
 void diff(const DiffOptions& options, const Voice& voice, int& exit_code) {
   const std::string a = formats::read_text_file(options.a);
   const std::string b = formats::read_text_file(options.b);
-  const formats::LogDifference difference = formats::diff_logs(a, options.a, b, options.b);
+  const std::size_t most = options.all ? std::numeric_limits<std::size_t>::max() : kListed;
+  const formats::LogDifference difference = formats::diff_logs(a, options.a, b, options.b, most);
   for (const formats::KindDifference& one : difference.kinds) {
     voice.detail(one.structure + " " + one.kind + ": " + std::to_string(one.events_a) + " and " +
                  formats::counted(one.events_b, "record", "records") + ", " +
@@ -165,7 +240,7 @@ void diff(const DiffOptions& options, const Voice& voice, int& exit_code) {
                  " invented");
   }
   if (options.json) {
-    print(json_text(difference));
+    print(json_text(difference, options.all));
   } else {
     voice.report(plain_text(difference, options));
   }
@@ -180,15 +255,21 @@ void add_diff_verb(CLI::App& app, int& exit_code) {
   verb->add_option("LOG", options->a, "The log to compare with")->required();
   verb->add_option("OTHER", options->b, "The log that may miss or invent events")->required();
   verb->add_flag("--json", options->json, "Print one JSON object");
+  verb->add_flag("--all", options->all,
+                 "List all records that differ, not the first 10; with --json their lines");
   add_voice(*verb, "Print nothing: the exit code tells whether they differ",
             "Count the differences of every kind of record, on standard error");
   verb->footer(
       "Exit code 0: equal, 1: different. Compared and counted are the log records of\n"
       "events, external and internal, of the structures that both logs have, whatever\n"
       "their labels; not those of changes of the scene (motion, insert, erase) and of\n"
-      "rebuilds that change nothing. Instants are compared between two exact logs only,\n"
-      "as numbers. A log that was cut off, or stopped at a limit, is compared as far as\n"
-      "it goes, and named; \"status\" and \"reached\" of --json say how both logs end.\n"
+      "rebuilds that change nothing. Events of the same kind and objects are the same\n"
+      "if they are at the same instant; else if they are next to each other in time.\n"
+      "Instants are compared between two exact logs only, as numbers.\n"
+      "A log that was cut off, or stopped at a limit, is compared as far as it goes,\n"
+      "and named. Where one log ends before the other, what follows in that is counted\n"
+      "apart: it is neither missing nor invented, but the logs differ. \"status\",\n"
+      "\"reached\" and \"after_end\" of --json say how both logs end.\n"
       "Example:\n"
       "  kinex diff exact.log double.log");
   verb->callback([options, verb, &exit_code] { diff(*options, voice_of(*verb), exit_code); });

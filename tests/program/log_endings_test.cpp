@@ -56,6 +56,9 @@ TEST_F(LogEndings, LogsThatAreNotWhole) {
   const Finished stopped = run_kinex({"diff", log_, other});
   EXPECT_EQ(stopped.exit_code, 1);
   EXPECT_THAT(stopped.out, testing::ContainsRegex("^" + other + ends + "\nfirst difference"));
+  EXPECT_THAT(stopped.out, HasSubstr(": 0 missing, 0 invented, "));
+  EXPECT_THAT(stopped.out,
+              HasSubstr(" records of " + log_ + " are after the end of " + other + "\n"));
   EXPECT_THAT(run_kinex({"diff", "--json", log_, other}).out,
               testing::ContainsRegex(
                   "\"status\": \\[\"done\", \"limit\"\\], \"reached\": \\[\"1\", \"[0-9]"));
@@ -81,12 +84,96 @@ TEST_F(LogEndings, LogsThatAreNotWhole) {
             0);
   EXPECT_THAT(run_kinex({"diff", log_, other}).out,
               StartsWith(log_ + " ends at t = 1, " + other + " at t = 1/4 (0.25)\n"));
-  // One line is missing: one complaint about numbers.
+  EXPECT_THAT(run_kinex({"diff", "--json", log_, other}).out,
+              testing::ContainsRegex(
+                  "\"missing\": 0, \"invented\": 0.*\"after_end\": \\[[1-9][0-9]*, 0\\]"));
+  // One line is missing: one complaint about numbers, and one difference.
   const std::size_t third = text.find("\n{\"seq\": 3"), fourth = text.find("\n{\"seq\": 4");
   write_file(other, text.substr(0, third) + text.substr(fourth));
+  const std::string differs = run_kinex({"diff", log_, other}).out;
+  EXPECT_THAT(
+      differs,
+      HasSubstr(" records: 1 missing, 0 invented, 0 out of order, 0 with another effect, 0 at "));
+  EXPECT_THAT(differs, HasSubstr("\n  missing  " + log_ + ":4:  3  "));
+  EXPECT_THAT(run_kinex({"diff", "--json", "--all", other, log_}).out,
+              HasSubstr("\"differences\": [{\"what\": [\"invented\"], \"lines\": [null, 4]}]"));
   const std::string checked = run_kinex({"check", other}).err;
   EXPECT_THAT(checked, HasSubstr("sequence number 4 where 3 is due"));
   EXPECT_THAT(checked, Not(HasSubstr("where 4 is due")));
+}
+
+// A run that was killed while it wrote leaves part of a line: the whole ones are used, the part is named.
+TEST_F(LogEndings, LogsThatEndWithinALine) {
+  const std::string other = scratch_.file("other.log"), text = read_file(log_);
+  write_file(other, text.substr(0, text.find("\n{\"seq\": 4") + 20));
+  const Finished shown = run_kinex({"log", other, "--columns", "seq"});
+  EXPECT_EQ(shown.exit_code, 0);
+  EXPECT_EQ(shown.out, "seq\n  1\n  2\n  3\n");
+  EXPECT_THAT(
+      shown.err,
+      HasSubstr(other + ": line 5: the log was cut off within this line; what is shown is all "
+                        "whole lines before it; for a whole log run the scene again"));
+  const Finished diff = run_kinex({"diff", log_, other});
+  EXPECT_EQ(diff.exit_code, 1);
+  EXPECT_THAT(diff.out,
+              StartsWith(other + " was cut off within line 5\nfirst difference at record 4\n"));
+  EXPECT_THAT(diff.out, HasSubstr(" and 3 records: 0 missing, 0 invented, "));
+  const Finished checked = run_kinex({"check", other, "--scene", scene_});
+  EXPECT_EQ(checked.exit_code, 1);
+  EXPECT_THAT(checked.err, StartsWith("kinex: " + other +
+                                      ": line 5: the log was cut off within this line; run the "
+                                      "scene again"));
+  const Finished page = run_kinex(
+      {"view", log_, "--scene", scene_, "--with", other, "-o", scratch_.file("page.html")});
+  EXPECT_EQ(page.exit_code, 0) << page.err;
+  EXPECT_THAT(page.err, HasSubstr("line 5: the log was cut off within this line"));
+  write_file(other, text.substr(0, 50));
+  for (const std::string verb : {"log", "check"}) {
+    const Finished refused = run_kinex({verb, other});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(
+        refused.err,
+        HasSubstr(other + ": line 1: the log was cut off within its first line; run the scene"));
+  }
+}
+
+// check says what it could not check of a log whose instants are not exact, or are not there.
+TEST_F(LogEndings, WhatIsNotChecked) {
+  const auto checked = [&](const std::vector<std::string>& how,
+                           const std::vector<std::string>& with) {
+    std::vector<std::string> run{"run",      scene_, "--maintain", "sorted_list",
+                                 "--events", log_,   "--force",    "-q"};
+    run.insert(run.end(), how.begin(), how.end());
+    EXPECT_EQ(run_kinex(run).exit_code, 0);
+    std::vector<std::string> check{"check", log_};
+    check.insert(check.end(), with.begin(), with.end());
+    return run_kinex(check).out;
+  };
+  const std::string in_double = checked({"--arithmetic", "double"}, {"--scene", scene_});
+  EXPECT_THAT(in_double,
+              HasSubstr("verified  level 0: format, names, counts, digest, seal; the scene\n"));
+  EXPECT_THAT(in_double,
+              testing::ContainsRegex(
+                  "not checked: level 1 \\(instants\\) and level 2 \\([0-9]+ certificates\\), "
+                  "since the arithmetic double is not exact\n$"));
+  EXPECT_THAT(
+      checked({"--arithmetic", "double"}, {"--json", "--scene", scene_}),
+      testing::ContainsRegex("\"levels\": \\[0\\], \"certificates\": 0, \"unchecked\": [1-9]"));
+  EXPECT_THAT(checked({"--instants", "none"}, {}),
+              HasSubstr("not checked: level 1 (instants), since the log has no instants\n"));
+  const std::string intervals = checked({"--instants", "intervals"}, {"--scene", scene_});
+  EXPECT_THAT(intervals, HasSubstr("verified  levels 0, 1: "));
+  EXPECT_THAT(intervals, HasSubstr(" certificates), since the log does not name its instants\n"));
+  EXPECT_THAT(checked({}, {"--scene", scene_}), HasSubstr("verified  levels 0, 1, 2: "));
+  // Without --scene it says where it looked for one.
+  const std::string name = scratch_.file("uniform-square n=12 seed=1.json");
+  EXPECT_THAT(checked({}, {}),
+              HasSubstr("there is no " + name + "; --scene SCENE checks the certificates too"));
+  write_file(name, read_file(scene_));
+  EXPECT_THAT(checked({}, {}), HasSubstr("verified  levels 0, 1, 2: "));
+  ASSERT_EQ(run_kinex({"gen", "grid", "--n", "4", "--force", "-o", name}).exit_code, 0);
+  EXPECT_THAT(checked({}, {}),
+              HasSubstr(name + " is another scene: it has another hash; --scene SCENE checks"));
 }
 
 }  // namespace log_endings_test
