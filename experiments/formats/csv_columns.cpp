@@ -37,6 +37,7 @@ CsvColumns::CsvColumns(const CsvTable& table, const std::string& file,
   for (std::size_t i = 0; i < named_.size(); ++i) {
     const NamedColumn& one = named_[i];
     if (!one.column.empty() && !table_.column(one.column)) {
+      check_names(table_.columns, table_.separator, file_);
       throw InputError(
           file_, "line 1",
           "there is no column " + show_text(one.column) + ", that of --column " + one.meaning,
@@ -81,9 +82,11 @@ std::size_t CsvColumns::take_required(const std::string& meaning, const std::str
         "there is no column " + show_text(capital) + " in small letters; capitals matter",
         "write the names in small letters, or give" + capitals());
   }
+  if (taken_.empty()) check_names(table_.columns, table_.separator, file_);
   const std::string none = alternative.empty() ? "" : ", and none " + show_text(meaning);
-  throw InputError(file_, "line 1", "there is no column " + show_text(wanted) + none,
-                   remedy + ", or say which they are: --column " + wanted + "=NAME");
+  throw InputError(
+      file_, "line 1", "there is no column " + show_text(wanted) + none,
+      remedy + ", or say which they are: --column " + wanted + "=NAME" + other_separator());
 }
 
 void CsvColumns::use(std::size_t column, const std::string& meaning) {
@@ -135,6 +138,18 @@ std::string CsvColumns::capitals() const {
     }
   }
   return options;
+}
+
+std::string CsvColumns::other_separator() const {
+  for (const auto& [separator, name] :
+       {std::pair(';', "semicolon"), {'\t', "tab"}, {',', "comma"}}) {
+    for (const std::string& column : table_.columns) {
+      if (separator == table_.separator || column.find(separator) == std::string::npos) continue;
+      return ", or give --separator " + std::string(name) + " if " + show_text(column) +
+             " is more than one name";
+    }
+  }
+  return {};
 }
 
 std::string CsvColumns::text() const {

@@ -54,6 +54,8 @@ class CsvColumns {
  private:
   // The column whose name differs from a meaning by capitals alone.
   const std::string* in_capitals(const std::string& meaning) const;
+  // What to do if a name of a column has another separator in it; otherwise empty.
+  std::string other_separator() const;
 
   const CsvTable& table_;
   const std::string& file_;

@@ -12,6 +12,13 @@ namespace kinex::formats {
 
 std::string place_of_row(const CsvRow& row) { return "line " + std::to_string(row.line); }
 
+std::string csv_number_remedy(std::string_view field) {
+  if (field.find(',') == field.npos) return kCsvNumberRemedy;
+  const bool thousands = field.find('.') != field.npos || field.find(',') != field.rfind(',');
+  return std::string("write decimals with a point, not with a comma") +
+         (thousands ? ", and nothing between thousands" : "");
+}
+
 std::optional<Rational> csv_number(const std::string& field) {
   if (field.size() > kMaxNumberLength) return std::nullopt;
   return Rational::parse(field);
@@ -21,9 +28,7 @@ Rational csv_number(const CsvTable& table, const CsvRow& row, std::size_t column
                     const std::string& file) {
   const std::string& field = row.fields[column];
   if (std::optional<Rational> value = csv_number(field)) return *std::move(value);
-  const NumberDefect defect =
-      number_defect(field, field.find(',') == std::string::npos ? kCsvNumberRemedy
-                                                                : "write decimals with a point, not with a comma");
+  const NumberDefect defect = number_defect(field, csv_number_remedy(field));
   throw InputError(
       file, place_of_row(row),
       show_text(field) + " in column " + show_text(table.columns[column]) + " " + defect.problem,

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/numbers/rational.h"
 #include "experiments/formats/csv_table.h"
@@ -14,6 +15,8 @@
 namespace kinex::formats {
 
 inline constexpr const char* kCsvNumberRemedy = "write an integer, a fraction 1/3 or a decimal";
+// The same for a field that is none; of its commas, if it has some.
+std::string csv_number_remedy(std::string_view field);
 
 // "line 7".
 std::string place_of_row(const CsvRow& row);

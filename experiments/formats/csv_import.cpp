@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/numbers/near_names.h"
+#include "experiments/formats/counted.h"
 #include "experiments/formats/csv_columns.h"
 #include "experiments/formats/csv_fields.h"
 #include "experiments/formats/csv_properties.h"
@@ -56,11 +57,13 @@ class Importer {
       import_velocities();
     }
     if (report_.scene.objects.empty()) {
-      throw InputError(file_, "", "no object has two fixes", "write at least two fixes of one id");
+      throw InputError(
+          file_, "", "no object has two fixes: " + some_of(report_.single_fixes),
+          "write at least two fixes of one id, or name the column of ids: --column id=NAME");
     }
     for (const std::string& row : options_.fixed)
       add_fixed(report_.scene, row, options_.polygons.has_value());
-    check_time(report_.scene, file_);
+    check_time(report_.scene, file_, report_.notes);
     for (std::size_t i = 0; i < last_rows_.size(); ++i) {
       properties_->check(report_.scene.objects[i], *last_rows_[i], report_.scene);
     }
@@ -302,7 +305,8 @@ class Importer {
       if (!first || fixes.front().t < *first) first = fixes.front().t;
       if (!last || fixes.back().t > *last) last = fixes.back().t;
       if (fixes.size() == 1) {
-        ++report_.single_fixes;
+        report_.single_fixes.push_back(show_text(name) + " (" + place_of_row(*fixes.front().row) +
+                                       ")");
         continue;
       }
       Motion motion;

@@ -40,7 +40,8 @@ struct ImportOptions {
 struct ImportReport {
   Scene scene;  // "maintain" and the name only if the file says so
   std::size_t rows = 0;
-  std::size_t single_fixes = 0;    // traces of one fix: they have no duration, and are left out
+  // Traces of one fix: they have no duration, and are left out. Each as "\"a\" (line 7)".
+  std::vector<std::string> single_fixes;
   std::size_t repeated_fixes = 0;  // identical rows of one id and time: read once
   std::size_t ignored_columns = 0;
   std::string time_zero;              // of dates: the date at which t = 0; otherwise empty
@@ -55,8 +56,8 @@ struct ImportReport {
 // rows, fixed objects last. Defaults can be overridden by the options.
 //   traces      An object exists from its first to its last fix and moves linearly between two
 //               fixes; rows need not be in the order of time. Two fixes of one id at one time must
-//               be identical. Default time of the scene: that of all fixes together. Times are
-//               numbers, or dates (time_scale.h).
+//               be identical. Default time of the scene: that of all fixes together; one that has
+//               no trace in it is refused. Times are numbers, or dates (time_scale.h).
 //   velocities  x(t) = x + vx t, by default from time 0 on; without an end the scene runs until no
 //               event is left.
 //   properties  Radii, weights, half extents, colours, vertices, lines: csv_properties.h. In a table of edges of a

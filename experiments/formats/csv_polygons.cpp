@@ -93,6 +93,7 @@ PolygonTable parse_polygons(std::string_view text, const std::string& file) {
   const CsvTable table = parse_csv(text, file);
   const auto id = table.column("id"), x = table.column("x"), y = table.column("y");
   if (!id || !x || !y || table.columns.size() != 3) {
+    check_names(table.columns, table.separator, file);
     throw InputError(file, "line 1", "the columns are not id, x and y", kPolygonColumns);
   }
   if (table.rows.empty()) throw InputError(file, "", "there are no rows", kPolygonColumns);

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/numbers/rational.h"
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/iso_time.h"
+#include "experiments/formats/json_document.h"
 #include "experiments/formats/utf8.h"
 
 namespace kinex::formats {
@@ -22,10 +25,17 @@ class CsvParser {
     while (at_ < text_.size()) {
       row.line = line_;
       row.fields.clear();
+      begin_ = at_;
       read_row(row);
       if (row.fields.size() > 1 || !row.fields[0].empty()) return true;
     }
     return false;
+  }
+  // The last row as it is written, without its end.
+  std::string_view row_text() const {
+    std::string_view text = text_.substr(begin_, at_ - begin_);
+    while (text.ends_with('\n') || text.ends_with('\r')) text.remove_suffix(1);
+    return text;
   }
 
  private:
@@ -86,21 +96,50 @@ class CsvParser {
   std::string_view text_;
   const std::string& file_;
   char separator_;
-  std::size_t at_ = 0;
+  std::size_t begin_ = 0, at_ = 0;
   std::size_t line_ = 1;
 };
 
-// Of the first line, quotes aside.
+// Of the first line, quotes aside; tabs behind another separator are blanks.
 char separator_of(std::string_view text) {
-  bool quoted = false, semicolon = false, tab = false;
+  bool quoted = false;
+  std::size_t commas = 0, semicolons = 0, tabs = 0;
+  char last = '\t';
   for (const char c : text) {
     if (c == '"') quoted = !quoted;
-    if (quoted) continue;
-    if (c == '\n' || c == ',') return c == ',' ? ',' : semicolon ? ';' : tab ? '\t' : ',';
-    semicolon = semicolon || c == ';';
-    tab = tab || c == '\t';
+    if (c == '\n' && !quoted) break;
+    if (quoted || c == ' ') continue;
+    if (c == ',') ++commas;
+    if (c == ';') ++semicolons;
+    if (c == '\t' && last != ',' && last != ';' && last != '\t') ++tabs;
+    last = c;
   }
-  return semicolon ? ';' : tab ? '\t' : ',';
+  if (commas >= semicolons && commas >= tabs) return ',';
+  return semicolons >= tabs ? ';' : '\t';
+}
+
+std::string separator_name(char separator) {
+  return separator == ',' ? "comma" : separator == ';' ? "semicolon" : "tab";
+}
+
+// What to do about a row with another number of fields than there are columns.
+std::string remedy_for_fields(const CsvRow& row, std::string_view text, const CsvTable& table) {
+  const auto has = [&](char separator) {
+    return std::any_of(
+        table.columns.begin(), table.columns.end(),
+        [separator](const std::string& name) { return name.find(separator) != name.npos; });
+  };
+  const std::size_t columns = table.columns.size();
+  for (const char other : {',', ';', '\t'}) {
+    if (other == table.separator || columns < 2) continue;
+    const auto count = static_cast<std::size_t>(std::count(text.begin(), text.end(), other));
+    if (count + 1 < columns) continue;
+    return "separate its fields by " + separator_name(table.separator) + "s, as those of line 1" +
+           (has(other) ? ", or give --separator " + separator_name(other) : "");
+  }
+  if (row.fields.size() < columns) return "write one field per column";
+  return "write one field per column, text with a " + separator_name(table.separator) +
+         " in quotes" + (table.separator == ',' ? ", decimals with a point" : "");
 }
 
 std::string trimmed(const std::string& text) {
@@ -115,6 +154,20 @@ std::optional<std::size_t> CsvTable::column(std::string_view name) const {
   const auto at = std::find(columns.begin(), columns.end(), name);
   if (at == columns.end()) return std::nullopt;
   return static_cast<std::size_t>(at - columns.begin());
+}
+
+void check_names(const std::vector<std::string>& names, char separator, const std::string& file) {
+  std::string line, problem;
+  std::size_t values = 0;
+  for (const std::string& name : names) {
+    if (name == "id") return;
+    line += (line.empty() ? "" : std::string(1, separator)) + name;
+    const bool number = name.size() <= kMaxNumberLength && Rational::parse(name);
+    if (number || parse_iso_time(name, problem)) ++values;
+  }
+  if (2 * values < names.size()) return;
+  throw InputError(file, "line 1", show_text(line) + ": values, not names of columns",
+                   "write a line above it that names the columns, as id,t,x,y");
 }
 
 CsvTable parse_csv(std::string_view text, const std::string& file, char separator) {
@@ -137,6 +190,7 @@ CsvTable parse_csv(std::string_view text, const std::string& file, char separato
                        "column " + show_text(name) + " is not UTF-8", "convert the file to UTF-8");
     }
     if (table.column(name)) {
+      check_names(row.fields, table.separator, file);
       throw InputError(file, "line " + std::to_string(row.line),
                        "column " + show_text(name) + " stands twice", "remove one");
     }
@@ -146,8 +200,9 @@ CsvTable parse_csv(std::string_view text, const std::string& file, char separato
     if (row.fields.size() != table.columns.size()) {
       throw InputError(file, "line " + std::to_string(row.line),
                        counted(row.fields.size(), "field", "fields") + " in a table of " +
-                           counted(table.columns.size(), "column", "columns"),
-                       "write one field per column");
+                           counted(table.columns.size(), "column", "columns") + ": " +
+                           show_text(parser.row_text()),
+                       remedy_for_fields(row, parser.row_text(), table));
     }
     table.rows.push_back(std::move(row));
   }

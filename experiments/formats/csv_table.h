@@ -27,11 +27,15 @@ struct CsvTable {
 // Throws InputError for an empty file, a column named twice, a row with another number of fields
 // than there are columns, a quote that is not closed, or lines that end with CR alone. Empty lines are
 // skipped; CRLF is fine. Blanks around fields are removed, but not those in quotes.
-// The separator is that of the first line: a comma if there is one outside of quotes, else a semicolon,
-// else a tab.
+// The separator is the one that stands most often in the first line, outside of quotes: a comma, a semicolon or
+// a tab, in this order where two stand as often.
 inline constexpr char kGuessedSeparator = '\0';
 CsvTable parse_csv(std::string_view text, const std::string& file,
                    char separator = kGuessedSeparator);
+
+// Throws InputError if a first line, of these fields, has values where names should be: half of them at least are numbers
+// or dates, and none is "id".
+void check_names(const std::vector<std::string>& names, char separator, const std::string& file);
 
 // The fields of one row, without the blanks around them; `source` is for messages. A line end outside of quotes is refused.
 std::vector<std::string> parse_csv_row(std::string_view text, const std::string& source);

@@ -12,6 +12,7 @@
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/scene_parts.h"
 #include "experiments/formats/scene_reader.h"
+#include "structures/family_summary.h"
 #include "structures/plan.h"
 #include "structures/registry.h"
 
@@ -44,12 +45,34 @@ std::string axes_of(int dimension) {
   return result;
 }
 
+// What is wrong with a name that no structure has. Names of groups and families are easily taken for one.
+Refusal complaint_about_unknown(const std::string& name, const Scene& scene) {
+  std::string suiting, all;
+  for (const StructureInfo& info : structure_infos()) {
+    if (info.group.empty() || info.group != name) continue;
+    const auto add = [&info](std::string& list) {
+      list += (list.empty() ? "" : ", ") + std::string(info.name);
+    };
+    add(all);
+    if (!refusal_of(info, scene)) add(suiting);
+  }
+  if (!all.empty()) {
+    return {show_text(name) + " is what several structures maintain, not one of them",
+            "write one of " + (suiting.empty() ? all : suiting)};
+  }
+  for (const FamilySummary& family : family_summaries()) {
+    if (family.name != name) continue;
+    return {show_text(name) + " is a family of structures, not one of them",
+            "kinex list structures --family " + name + " names them"};
+  }
+  return {show_text(name) + " is not a known structure",
+          did_you_mean(name, structure_names(), "kinex list structures names them")};
+}
+
 // The problem with maintaining `name` in the scene: {problem, remedy}, or nothing.
 std::optional<Refusal> complaint_about(const std::string& name, const Scene& scene) {
   const StructureInfo* info = find_structure_info(name);
-  if (info == nullptr)
-    return Refusal{show_text(name) + " is not a known structure",
-                   did_you_mean(name, structure_names(), "kinex list structures names them")};
+  if (info == nullptr) return complaint_about_unknown(name, scene);
   std::optional<Refusal> refusal = refusal_of(*info, scene);
   if (refusal && info->bodies && !scene.has_bodies()) {
     refusal->problem = "is for convex polygons, the scene has points";

@@ -276,7 +276,8 @@ class Reader {
       if (!first || begin < *first) first = begin;
       if (!last || *last < end) last = end;
       if (motion.pieces.empty()) {
-        ++report_.single_fixes;
+        report_.single_fixes.push_back(show_text(track.id) + " (line " +
+                                       std::to_string(track.line) + ")");
         continue;
       }
       lines.emplace(track.id, track.line);
@@ -295,7 +296,8 @@ class Reader {
       members.push_back(&track.members);
     }
     if (scene.objects.empty())
-      throw InputError(file_, "", "no object has two times", "write at least two of one id");
+      throw InputError(file_, "", "no object has two times: " + some_of(report_.single_fixes),
+                       "write at least two of one id");
     set_time(own, *first, *last);
     for (std::size_t i = 0; i < members.size(); ++i) {
       restore_object(*members[i], scene.objects[i].motion);
@@ -347,7 +349,7 @@ class Reader {
     scene.end = common.end_time ? scale_.read(*common.end_time)
                 : end           ? end->rational() + shift_
                                 : last;
-    check_time(scene, file_);
+    check_time(scene, file_, report_.notes);
     // What is there for the whole time has no ends of its own.
     for (SceneObject& object : scene.objects) open_ends(object.motion, scene.start, *scene.end);
   }

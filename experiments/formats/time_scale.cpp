@@ -40,7 +40,7 @@ Rational TimeScale::read(std::string_view text, const std::string& file, const s
     const std::optional<Rational> number = csv_number(std::string(text));
     if (!number) {
       const NumberDefect defect =
-          number_defect(text, std::string(kCsvNumberRemedy) + ", or dates as 2024-05-01T12:30:05Z");
+          number_defect(text, csv_number_remedy(text) + ", or dates as 2024-05-01T12:30:05Z");
       throw InputError(file, place, field + " " + defect.problem, defect.remedy);
     }
     return *number;

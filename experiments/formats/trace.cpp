@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/formats/trace.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -107,12 +108,40 @@ void add_fixed(Scene& scene, const std::string& text, bool body) {
   scene.objects.push_back({fields[0], std::move(motion)});
 }
 
-void check_time(const Scene& scene, const std::string& file) {
-  if (!scene.end || *scene.end > scene.start) return;
-  throw InputError(file, "",
-                   "the scene would end at " + time_text(*scene.end) + ", not after its start at " +
-                       time_text(scene.start),
-                   "give --start and --end");
+void check_time(const Scene& scene, const std::string& file, std::vector<std::string>& notes) {
+  if (!scene.end) return;
+  const Rational &start = scene.start, &end = *scene.end;
+  std::vector<std::string> outside;
+  std::size_t traces = 0;
+  std::optional<Rational> first, last;
+  for (const SceneObject& object : scene.objects) {
+    const std::vector<MotionPiece>& pieces = object.motion.pieces;
+    const std::optional<Rational>&from = pieces.front().from, &to = pieces.back().to;
+    if (!from || !to) continue;
+    ++traces;
+    if (!first || *from < *first) first = from;
+    if (!last || *to > *last) last = to;
+    const bool there = std::any_of(pieces.begin(), pieces.end(), [&](const MotionPiece& piece) {
+      return *piece.from <= end && *piece.to >= start;
+    });
+    if (!there) outside.push_back(show_text(object.id));
+  }
+  const std::string fixes =
+      traces == 0 ? "" : ": the traces are from " + time_text(*first) + " to " + time_text(*last);
+  if (end <= start) {
+    throw InputError(file, "",
+                     "the scene would end at " + time_text(end) + ", not after its start at " +
+                         time_text(start) + fixes,
+                     "give --start and --end, the earlier one first");
+  }
+  if (outside.empty()) return;
+  const std::string time = time_text(start) + " to " + time_text(end);
+  if (outside.size() == traces) {
+    throw InputError(file, "", "no trace is in the time of the scene, " + time + fixes,
+                     "give --start and --end within these");
+  }
+  notes.push_back(counted(outside.size(), "trace is", "traces are") +
+                  " outside of the time of the scene, " + time + ": " + some_of(outside));
 }
 
 }  // namespace kinex::formats

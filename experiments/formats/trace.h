@@ -31,8 +31,9 @@ void append_steps(Motion& motion, const std::vector<Fix>& fixes, bool body);
 // behind it if the scene's objects have them. Throws InputError that names it.
 void add_fixed(Scene& scene, const std::string& text, bool body);
 
-// Throws InputError unless the scene ends after its start.
-void check_time(const Scene& scene, const std::string& file);
+// Throws InputError unless the scene ends after its start and, if it has traces, one of them is there in that time.
+// Appends a note that names those that are not.
+void check_time(const Scene& scene, const std::string& file, std::vector<std::string>& notes);
 
 }  // namespace kinex::formats
 

@@ -183,10 +183,11 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
   if (report.ignored_columns > 0) {
     voice.note(formats::counted(report.ignored_columns, "column was", "columns were") + " ignored");
   }
-  if (report.single_fixes > 0) {
-    voice.note(formats::counted(report.single_fixes, "trace of a single fix was",
+  if (!report.single_fixes.empty()) {
+    voice.note(formats::counted(report.single_fixes.size(), "trace of a single fix was",
                                 "traces of a single fix were") +
-               " left out");
+               " left out: " + formats::some_of(report.single_fixes));
+    for (const std::string& trace : report.single_fixes) voice.detail("left out: " + trace);
   }
   if (report.repeated_fixes > 0) {
     voice.note(formats::counted(report.repeated_fixes, "repeated fix was", "repeated fixes were") +

@@ -310,7 +310,7 @@ TEST_F(Program, ImportMakesAScene) {
   const Finished made = run_kinex({"import", "-", "--name", "two"},
                                   "id,t,x,y\na,0,0,0\na,1,1,1\nb,0.5,0,1\nb,1,0,0\nc,0,0,0\n");
   EXPECT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_THAT(made.err, HasSubstr("1 trace of a single fix was left out"));
+  EXPECT_THAT(made.err, HasSubstr("kinex: 1 trace of a single fix was left out: \"c\" (line 6)\n"));
   const Finished run = run_kinex({"run", "-", "--audit", "events"}, made.out);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("0 changes, 1 insertion, 0 erasures\n"));

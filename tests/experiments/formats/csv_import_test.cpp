@@ -69,7 +69,7 @@ TEST(CsvImport, TracesAreExactAndLinearBetweenFixes) {
       import("id,t,x,y\na,3,0.3,0\nb,0,1,1\na,0,0,0\na,1,0.1,0\na,2,0.2,0\nb,2,0,2\nc,9,0,0\n");
   const Scene& scene = report.scene;
   EXPECT_EQ(report.rows, 7u);
-  EXPECT_EQ(report.single_fixes, 1u);
+  EXPECT_EQ(report.single_fixes.size(), 1u);
   EXPECT_EQ(scene.start, Rational(0));
   EXPECT_EQ(*scene.end, Rational(9));
   ASSERT_EQ(scene.objects.size(), 2u);
@@ -188,7 +188,7 @@ TEST(CsvImport, Hurricanes) {
   KINEX_REQUIRE_DATA(file);
   const formats::ImportReport report = formats::import_csv(formats::read_text_file(file), file, {});
   EXPECT_EQ(report.rows, 49105u);
-  EXPECT_EQ(report.scene.objects.size() + report.single_fixes, 1814u);
+  EXPECT_EQ(report.scene.objects.size() + report.single_fixes.size(), 1814u);
   EXPECT_EQ(report.scene.dimension, 2);
   const std::string text = formats::write_scene(report.scene);
   EXPECT_EQ(formats::write_scene(formats::parse_scene(text, "again")), text);
@@ -213,9 +213,83 @@ TEST(CsvTable, SeparatorsOfTheFirstLine) {
   EXPECT_EQ(columns("id;x\na;1\n"), (Columns{"id", "x"}));
   EXPECT_EQ(columns("id\tx\na\t1\n"), (Columns{"id", "x"}));
   EXPECT_EQ(columns("\"a,b\";x\n1;2\n"), (Columns{"a,b", "x"}));
-  EXPECT_EQ(columns("id;x,y\n1,2\n"), (Columns{"id;x", "y"}));  // a comma decides
+  EXPECT_EQ(columns("id;x,y\n1,2\n"), (Columns{"id;x", "y"}));  // a comma before a semicolon
+  EXPECT_EQ(columns("id;x;name, first\n1;2;3\n"),
+            (Columns{"id", "x", "name, first"}));  // the more frequent
+  EXPECT_EQ(columns("id\tx\tname, first; last\n"), (Columns{"id", "x", "name, first; last"}));
+  EXPECT_EQ(columns("id,\t\tt,\t\tx\n1,2,3\n"), (Columns{"id", "t", "x"}));  // tabs as blanks
   EXPECT_EQ(formats::parse_csv("id;x,y\n1;2\n", "t", ';').columns, (Columns{"id", "x,y"}));
   EXPECT_EQ(formats::parse_csv("id;x\n\"a;b\";1\n", "t").rows[0].fields[0], "a;b");
+}
+
+TEST(CsvImport, NamesWithOtherSeparators) {
+  EXPECT_INPUT_ERROR(
+      import("id;t, in s;x, in m\na;0;1\n"),
+      "t.csv: line 2: 1 field in a table of 3 columns: \"a;0;1\"; separate its fields by "
+      "commas, as those of line 1, or give --separator semicolon");
+  EXPECT_INPUT_ERROR(import("id;t, in s;x, in m\na;0,5;1,5\n"), "there is no column \"id\"; ");
+  EXPECT_INPUT_ERROR(import("id;t, in s;x, in m\na;0,5;1,5\n"),
+                     ", or give --separator semicolon if \"id;t\" is more than one name");
+  EXPECT_INPUT_ERROR(
+      import("id;t;x\na;0,5;1\n"),
+      "line 2: \"0,5\" in column \"t\" is not a number; write decimals with a point, "
+      "not with a comma, or dates as");
+}
+
+TEST(CsvImport, AFirstLineOfValuesIsNoHeader) {
+  const std::string problem =
+      "values, not names of columns; write a line above it that names the "
+      "columns, as id,t,x,y";
+  EXPECT_INPUT_ERROR(import("a,0,1,1\na,1,2,2\n"), "t.csv: line 1: \"a,0,1,1\": " + problem);
+  EXPECT_INPUT_ERROR(import("a;0;0;0\na;1;2;2\n"), "t.csv: line 1: \"a;0;0;0\": " + problem);
+  EXPECT_INPUT_ERROR(formats::parse_polygons("a,0,1\na,1,2\n", "p.csv"),
+                     "line 1: \"a,0,1\": " + problem);
+  formats::ImportOptions options;
+  options.columns = {{"id", "name"}};
+  EXPECT_INPUT_ERROR(formats::import_csv("a,0,1,1\n", "t.csv", options), problem);
+  // Years can be names.
+  options.columns = {{"id", "place"}};
+  EXPECT_INPUT_ERROR(formats::import_csv("place,2015,2016\na,0,1\n", "t.csv", options),
+                     "there is no column \"x\"");
+  options.columns = {{"id", "0"}, {"t", "1"}, {"x", "2"}};
+  EXPECT_EQ(formats::import_csv("0,1,2\na,0,0\na,1,1\n", "t.csv", options).scene.objects.size(),
+            1u);
+}
+
+TEST(CsvImport, TracesOutsideOfTheTimeOfTheScene) {
+  const auto between = [](const char* start, const char* end, std::vector<std::string> fixed = {}) {
+    formats::ImportOptions options;
+    options.start_time = {"--start", start};
+    options.end_time = {"--end", end};
+    options.fixed = std::move(fixed);
+    return formats::import_csv("id,t,x\na,0,0\na,1,1\nb,1/2,3\nb,4,5\n", "t.csv", options).notes;
+  };
+  const std::string problem =
+      "t.csv: no trace is in the time of the scene, 5 to 9: the traces are from 0 to 4; give "
+      "--start "
+      "and --end within these";
+  EXPECT_INPUT_ERROR(between("5", "9"), problem);
+  EXPECT_INPUT_ERROR(between("5", "9", {"Sun,0"}), problem);
+  EXPECT_INPUT_ERROR(between("-3", "-1"),
+                     "in the time of the scene, -3 to -1: the traces are from 0 to 4");
+  EXPECT_INPUT_ERROR(
+      between("9", "5"),
+      "the scene would end at 5, not after its start at 9: the traces are from 0 to 4; "
+      "give --start and --end, the earlier one first");
+  EXPECT_EQ(between("3/2", "5"),
+            std::vector<std::string>{
+                "1 trace is outside of the time of the scene, 3/2 (1.5) to 5: \"a\""});
+  // A fix at the start or the end is in the time of the scene.
+  EXPECT_TRUE(between("0", "9").empty());
+  EXPECT_TRUE(between("1", "4").empty());
+  EXPECT_TRUE(between("-1", "1/2").empty());
+}
+
+TEST(CsvImport, TracesOfASingleFixAreNamed) {
+  const formats::ImportReport report = import("id,t,x\na,0,0\nb,0,0\nb,1,1\n\n\"c, d\",5,5\n");
+  EXPECT_EQ(report.single_fixes, (std::vector<std::string>{"\"a\" (line 2)", "\"c, d\" (line 6)"}));
+  EXPECT_INPUT_ERROR(import("id,t,x\na,0,0\nb,0,0\n"),
+                     "no object has two fixes: \"a\" (line 2), \"b\" (line 3); ");
 }
 
 formats::ImportReport import_with(std::string_view text,

@@ -113,7 +113,14 @@ TEST(MovingFeatures, PropertiesByName) {
   ASSERT_EQ(report.scene.objects.size(), 1u);
   EXPECT_EQ(report.scene.objects[0].id, "7");
   EXPECT_EQ(report.scene.end, number("3/2"));
-  EXPECT_EQ(report.single_fixes, 1u);
+  EXPECT_EQ(report.single_fixes.size(), 1u);
+  EXPECT_THAT(report.single_fixes[0], testing::StartsWith("\"8\" (line "));
+  MovingFeaturesOptions late = options;
+  late.common.start_time = {"--start", "2"};
+  late.common.end_time = {"--end", "3"};
+  EXPECT_INPUT_ERROR(
+      import(fix(7, "0", "0") + "," + fix(7, "3", "1.5"), late),
+      "no trace is in the time of the scene, 2 to 3: the traces are from 0 to 3/2 (1.5)");
   options.common.columns = {{"x", "east"}};
   EXPECT_INPUT_ERROR(import(fix(7, "0", "0"), options),
                      "--column: x=east: places are not in properties here");
