@@ -80,6 +80,11 @@ std::string rebuild_warning(const std::string& label, const StructureLedger& led
          (exact ? "" : "; compare with --arithmetic exact") + "\n";
 }
 
+// "sorted_list.swaps", and of a structure with a label of its own "north: sorted_list.swaps".
+std::string bound_name(const std::string& id, const std::string& label) {
+  return id.starts_with(label + ".") ? id : label + ": " + id;
+}
+
 // "12 events (5 external, 7 internal) from 10 certificate failures"
 std::string events_text(const RunCounts& counts) {
   return counted(counts.events(), "event", "events") + " (" + std::to_string(counts.external) +
@@ -143,8 +148,8 @@ std::string describe_results(const Simulator& simulator, const RunOutcome& outco
   }
   for (StructureId id = 0; id < simulator.structures(); ++id) {
     for (const BoundCheck& bound : outcome.bounds[id]) {
-      text += "bound     " + bound.id + ": " + bound.observed.to_string() +
-              " <= " + shortened(bound.bound.to_string()) +
+      text += "bound     " + bound_name(bound.id, simulator.label(id)) + ": " +
+              bound.observed.to_string() + " <= " + shortened(bound.bound.to_string()) +
               (bound.holds ? " holds" : " DOES NOT HOLD") + "\n";
     }
   }

@@ -7,6 +7,7 @@
 #include <set>
 #include <string_view>
 
+#include "experiments/formats/claim_words.h"
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/model_text.h"
@@ -99,7 +100,8 @@ Lines predicates_of(const StructureInfo& info, const Simulator& simulator) {
   std::map<std::string, PredicateForms> all;
   for (PredicateId id = 0; id < numbers.predicates(); ++id) {
     const Predicate& predicate = numbers.predicate(id);
-    const std::string name = whole_of(predicate.name()), words = claim_in_words(predicate.form());
+    const std::string name = whole_of(predicate.name()),
+                      words = claim_in_words(formats::claim_form(predicate, simulator.scene()));
     std::string line = with_letters(predicate) + ", " +
                        degree_of(predicate, info, std::max(1, numbers.needs().degree));
     if (!words.empty()) line += ": " + words;
@@ -185,6 +187,31 @@ std::string joined(const std::set<std::string>& names) {
   return text;
 }
 
+// True if the structure has an event in a run of the example.
+bool has_events_in(const StructureInfo& structure, const ExampleScene& example) {
+  const Scene scene = generate_scene(example.workload->name, example.parameters, structure.name);
+  const std::unique_ptr<Simulator> simulator = make_simulator(scene, "exact", {});
+  run_scene(*simulator, {});
+  for (StructureId id = 0; id < simulator->structures(); ++id) {
+    if (simulator->structure(id).name() != structure.name) continue;
+    const StructureLedger& ledger = simulator->ledger(id);
+    if (ledger.external + ledger.internal > 0) return true;
+  }
+  return false;
+}
+
+// Doubles the example until the structure has an event in it; it stays as it is if none of a few sizes will do.
+void enlarge(const StructureInfo& structure, ExampleScene& example) {
+  ExampleScene larger = example;
+  for (int doublings = 0; doublings < 3; ++doublings) {
+    if (has_events_in(structure, larger)) {
+      example = larger;
+      return;
+    }
+    larger.parameters.n *= 2;
+  }
+}
+
 }  // namespace
 
 ExampleScene example_scene(const StructureInfo& structure) {
@@ -200,6 +227,7 @@ ExampleScene example_scene(const StructureInfo& structure) {
       } catch (const formats::InputError&) {
         continue;  // it cannot be of this size
       }
+      if (!structure.kinds.empty()) enlarge(structure, example);
       example.command = command_of(workload, example.parameters);
       return example;
     }
@@ -276,23 +304,17 @@ Explanation explain(const StructureInfo& info) {
   return result;
 }
 
-Explanation explain(const Workload& workload) {
-  Explanation result{std::string(workload.name), std::string(workload.summary), {}};
-  const WorkloadParameters defaults = [&] {
-    WorkloadParameters parameters;
-    parameters.n = std::max(parameters.n, workload.min_n);
-    return resolved(workload, parameters);
-  }();
-  const auto from = [](int value, int low) {
-    return std::to_string(value) + " by default, " + std::to_string(low) + " at least";
+std::vector<std::string> options_of(const Workload& workload) {
+  const auto size = [](const std::string& option, std::string_view counts, const std::string& value,
+                       int low) {
+    return option + "  " + std::string(counts) + ": " + value + " by default, " +
+           std::to_string(low) + " at least";
   };
-  Lines options{std::string(workload.bodies ? "--n  size: " : "--n  objects: ") +
-                from(defaults.n, workload.min_n)};
+  Lines options{size("--n", workload.n_counts, std::to_string(workload.default_n), workload.min_n)};
   if (workload.takes_m) {
-    options.push_back("--m  second size: " + (workload.default_m == 0
-                                                  ? "that of --n by default, " +
-                                                        std::to_string(workload.min_m) + " at least"
-                                                  : from(workload.default_m, workload.min_m)));
+    options.push_back(size("--m", workload.m_counts,
+                           workload.default_m == 0 ? "as --n" : std::to_string(workload.default_m),
+                           workload.min_m));
   }
   if (workload.random) options.push_back("--seed  1 by default");
   if (workload.takes_degree) {
@@ -311,17 +333,22 @@ Explanation explain(const Workload& workload) {
   if (workload.takes_turns) {
     options.push_back("--turns  1 by default, " + std::to_string(workload.min_turns) + " at least");
   }
+  return options;
+}
+
+Explanation explain(const Workload& workload) {
+  Explanation result{std::string(workload.name), std::string(workload.summary), {}};
   const auto add = [&](const char* heading, Lines lines) {
     result.parts.emplace_back(heading, std::move(lines));
   };
-  WorkloadParameters few = defaults;
+  WorkloadParameters few;
   few.n = std::max(kFewObjects, workload.min_n);
   add("objects",
       {formats::objects_in_words(generate_scene(workload, few)) + " in " +
        formats::counted(static_cast<std::uint64_t>(workload.default_dimension), "axis", "axes")});
   add("scenes", {workload.random ? "random, the same for a seed on every machine"
                                  : "one for its parameters"});
-  add("options", std::move(options));
+  add("options", options_of(workload));
   const std::string structure = workload.maintain.empty()
                                     ? usual_structure(workload.bodies, workload.default_dimension)
                                     : std::string(workload.maintain);

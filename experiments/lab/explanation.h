@@ -23,6 +23,8 @@ struct Explanation {
 // Runs a scene of a few objects, some milliseconds.
 Explanation explain(const StructureInfo& structure);
 Explanation explain(const Workload& workload);
+// "--n  objects: 100 by default, 1 at least", and so on: one line for each option of kinex gen that it takes.
+std::vector<std::string> options_of(const Workload& workload);
 Explanation explain(const ArithmeticInfo& arithmetic);
 
 // The smallest scene of a workload that the structure can be maintained in.

@@ -51,8 +51,7 @@ void check_body_parameters(const Workload& workload, const WorkloadParameters& p
 
 void check_parameters(const Workload& workload, const WorkloadParameters& parameters) {
   if (parameters.n < workload.min_n || parameters.n > kMaxWorkloadSize) {
-    refuse(workload, "--n",
-           std::to_string(parameters.n) + (workload.bodies ? " vertices" : " objects"),
+    refuse(workload, "--n", std::to_string(parameters.n) + " " + std::string(workload.n_counts),
            formats::write_between(workload.min_n, kMaxWorkloadSize));
   }
   if (parameters.m != 0 && !workload.takes_m) {
@@ -60,8 +59,7 @@ void check_parameters(const Workload& workload, const WorkloadParameters& parame
   }
   const int min_m = workload.takes_m ? workload.min_m : 0;
   if (parameters.m < min_m || parameters.m > kMaxWorkloadSize) {
-    refuse(workload, "--m",
-           std::to_string(parameters.m) + (workload.bodies ? " vertices" : " objects"),
+    refuse(workload, "--m", std::to_string(parameters.m) + " " + std::string(workload.m_counts),
            formats::write_between(workload.min_m, kMaxWorkloadSize));
   }
   if (parameters.degree != 1 && !workload.takes_degree) {
@@ -102,6 +100,16 @@ void set_kind(std::vector<Workload>& all, SceneKind kind,
   for (Workload& workload : all) {
     for (const std::string_view name : names) {
       if (workload.name == name) workload.scenes = kind;
+    }
+  }
+}
+
+void set_sizes(std::vector<Workload>& all, const std::vector<SizeWords>& words) {
+  for (Workload& workload : all) {
+    for (const SizeWords& one : words) {
+      if (workload.name != one.name) continue;
+      workload.n_counts = one.n;
+      workload.m_counts = one.m;
     }
   }
 }

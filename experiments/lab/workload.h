@@ -16,7 +16,7 @@
 namespace kinex::lab {
 
 struct WorkloadParameters {
-  int n = 100;             // objects; >= 1
+  int n = 100;             // the size: objects, or what the workload says; >= 1
   int m = 0;               // a second size, if the workload has one; 0: the workload's default
   std::uint64_t seed = 1;  // ignored by workloads without random numbers
   int degree = 1;          // of the motion, if the workload has a choice
@@ -53,11 +53,19 @@ struct Workload {
   std::optional<Rational> min_separation = std::nullopt;  // nullopt: anything above 0
   std::optional<Rational> max_separation = std::nullopt;  // nullopt: any
   SceneKind scenes = SceneKind::kWorst;
+  int default_n = 100;
+  std::string_view n_counts = "objects";  // what --n is the number of
+  std::string_view m_counts = "";         // the same of --m
 };
 
 // Sets the kind of the scenes of these workloads among `all`.
 void set_kind(std::vector<Workload>& all, SceneKind kind,
               const std::vector<std::string_view>& names);
+// Sets what the sizes of these workloads are the numbers of.
+struct SizeWords {
+  std::string_view name, n, m = "";
+};
+void set_sizes(std::vector<Workload>& all, const std::vector<SizeWords>& words);
 
 inline constexpr int kMaxWorkloadSize = 10000000;
 inline constexpr int kMaxWorkloadDegree = 20;

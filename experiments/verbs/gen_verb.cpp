@@ -2,10 +2,13 @@
 // kinex gen: writes a scene of a workload.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <memory>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/numbers/near_names.h"
@@ -29,7 +32,7 @@ struct GenOptions {
   std::string workload;
   lab::WorkloadParameters parameters;
   std::string seed;
-  std::optional<int> m, dimension, turns;
+  std::optional<int> n, m, dimension, turns;
   std::string separation;
   std::vector<std::string> maintain;
   std::string name, output;
@@ -59,9 +62,35 @@ std::string listed(std::size_t line_length) {
   return text;
 }
 
+// "Objects, or what the workload counts (100; tournament-worst: 64)": the workloads whose default is another one.
+std::string size_text(const std::string& text, const std::string& usual, int lab::Workload::*size,
+                      int usual_size) {
+  std::string others;
+  for (const lab::Workload& workload : lab::workloads()) {
+    if (workload.*size == usual_size) continue;
+    others += (others.empty() ? "; " : ", ") + std::string(workload.name) + ": " +
+              std::to_string(workload.*size);
+  }
+  return text + " (" + usual + others + ")";
+}
+
+// What stands below the options: of the workload that was named, or of all.
+std::string footer_of(const std::string& name) {
+  const lab::Workload* const workload = lab::find_workload(name);
+  if (workload == nullptr) {
+    return "Families:\n" + listed(80) +
+           "\nThe options of one: kinex gen WORKLOAD --help"
+           "\nExample:\n  kinex gen uniform-square --n 100 --seed 7 -o square.json";
+  }
+  std::string text = name + ": " + std::string(workload->summary) + "\nIt takes:\n";
+  for (const std::string& option : lab::options_of(*workload)) text += "  " + option + "\n";
+  return text + "Example:\n  kinex gen " + name + " -o " + name + ".json";
+}
+
 // In WorkloadParameters 0 means the default; --m 0 does not.
 lab::WorkloadParameters parameters_of(const GenOptions& options, const lab::Workload& workload) {
   lab::WorkloadParameters parameters = options.parameters;
+  parameters.n = options.n.value_or(workload.default_n);
   if (!options.seed.empty()) parameters.seed = seed_option("--seed", options.seed);
   if (options.m) {
     if (workload.takes_m) check_range("--m", *options.m, workload.min_m, lab::kMaxWorkloadSize);
@@ -120,6 +149,68 @@ void check_bodies(const Scene& scene, const lab::Workload& workload) {
       did_you_mean(name, known, "kinex list workloads names them"));
 }
 
+// The structures that --maintain names, in the order of the registry.
+std::vector<const StructureInfo*> structures_in(const std::vector<std::string>& maintain) {
+  std::set<std::string> words;
+  for (const std::string& text : maintain) {
+    std::string word;
+    for (const char c : text + ",") {
+      if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+        word += c;
+        continue;
+      }
+      words.insert(std::exchange(word, {}));
+    }
+  }
+  std::vector<const StructureInfo*> structures;
+  for (const StructureInfo& info : structure_infos()) {
+    if (words.count(std::string(info.name)) != 0) structures.push_back(&info);
+  }
+  return structures;
+}
+
+// Extents with which all of them can be maintained, if there are such: discs are boxes and have weights, too.
+Extents extents_for(const std::vector<const StructureInfo*>& structures) {
+  Extents chosen = Extents::kNone;
+  for (const StructureInfo* info : structures) {
+    const Extents usual = info->usual_extents();
+    if (usual == Extents::kNone || usual == chosen) continue;
+    chosen = chosen == Extents::kNone ? usual : Extents::kRadius;
+  }
+  return chosen;
+}
+
+// Makes the points of a scene what the structures need.
+void suit(Scene& scene, const std::vector<const StructureInfo*>& structures) {
+  for (const StructureInfo* info : structures) {
+    if (info->graph) lab::join_vertices(scene);
+  }
+  lab::give_extents(scene, extents_for(structures));
+  for (const StructureInfo* info : structures) lab::make_lines(scene, info->lines);
+}
+
+// What to do about a structure that is refused in the workload's scene of these parameters.
+std::string remedy_for(const StructureInfo& info, const lab::Workload& workload,
+                       lab::WorkloadParameters parameters, const Refusal& refusal) {
+  parameters = lab::resolved(workload, parameters);
+  parameters.n = std::max(8, workload.min_n);
+  const auto fits = [&] {
+    return !refusal_of(info, lab::generate_scene(workload.name, parameters, info.name));
+  };
+  if (fits())
+    return "maintain it in a scene of its own: the objects would have to be of another kind";
+  for (const int dimension : {1, 2, 3}) {
+    if (dimension < workload.min_dimension || dimension > workload.max_dimension) continue;
+    parameters.dimension = dimension;
+    if (fits()) return "give --dimension " + std::to_string(dimension);
+  }
+  if (parameters.degree > 1) return refusal.remedy;
+  const lab::ExampleScene example = lab::example_scene(info);
+  if (example.workload == nullptr) return refusal.remedy;
+  return "choose another workload: kinex gen " + std::string(example.workload->name) +
+         " --maintain " + std::string(info.name);
+}
+
 void generate(const GenOptions& options, const Voice& voice) {
   if (options.list) {
     print(listed(kAnyLength));
@@ -127,16 +218,15 @@ void generate(const GenOptions& options, const Voice& voice) {
   }
   const lab::Workload* workload = lab::find_workload(options.workload);
   if (workload == nullptr) refuse(options.workload);
-  Scene scene = lab::generate_scene(*workload, parameters_of(options, *workload));
+  const lab::WorkloadParameters parameters = parameters_of(options, *workload);
+  Scene scene = lab::generate_scene(*workload, parameters);
   if (!options.name.empty()) scene.name = name_option(options.name);
-  for (const StructureInfo& info : structure_infos()) {
-    const auto names = [&info](const std::string& text) {
-      return text.find(info.name) != std::string::npos;
-    };
-    if (std::any_of(options.maintain.begin(), options.maintain.end(), names)) {
-      if (info.graph) lab::join_vertices(scene);
-      lab::give_extents(scene, info.usual_extents());
-      lab::make_lines(scene, info.lines);
+  const std::vector<const StructureInfo*> structures = structures_in(options.maintain);
+  suit(scene, structures);
+  for (const StructureInfo* info : structures) {
+    if (const std::optional<Refusal> refusal = refusal_of(*info, scene)) {
+      throw formats::InputError("--maintain", "", show_text(info->name) + " " + refusal->problem,
+                                remedy_for(*info, *workload, parameters, *refusal));
     }
   }
   if (!options.maintain.empty()) formats::set_maintain(scene, options.maintain);
@@ -154,8 +244,13 @@ void add_gen_verb(CLI::App& app, int&) {
   CLI::App* verb = app.add_subcommand("gen", "Writes a scene of a named workload");
   verb->add_option("WORKLOAD", options->workload, "The workload, as kinex list workloads names it");
   verb->add_flag("--list", options->list, "List the workloads and stop");
-  verb->add_option("--n", options->parameters.n, "Objects (100)");
-  verb->add_option("--m", options->m, "Second size, where a family has one (same as --n)");
+  const lab::WorkloadParameters usual;
+  verb->add_option("--n", options->n,
+                   size_text("Size: objects, or what the workload says", std::to_string(usual.n),
+                             &lab::Workload::default_n, usual.n));
+  verb->add_option("--m", options->m,
+                   size_text("Second size, where a workload has one", "same as --n",
+                             &lab::Workload::default_m, 0));
   verb->add_option("--seed", options->seed, "Seed of the random families (1)");
   verb->add_option("--degree", options->parameters.degree, "Degree of the motion (1)");
   verb->add_option("--dimension", options->dimension, "Axes, 1 to 3");
@@ -172,8 +267,8 @@ void add_gen_verb(CLI::App& app, int&) {
   verb->add_flag("--force", options->force, "Replace the file if it exists");
   add_voice(*verb, "Print the scene and errors",
             "Name the scene, its size and its hash, on standard error");
-  verb->footer("Families:\n" + listed(80) +
-               "\nExample:\n  kinex gen uniform-square --n 100 --seed 7 -o square.json");
+  verb->footer("");  // not that of the program
+  verb->footer([options] { return footer_of(options->workload); });
   verb->callback([options, verb] {
     if (options->workload.empty() && !options->list) throw CLI::RequiredError("WORKLOAD");
     generate(*options, voice_of(*verb));

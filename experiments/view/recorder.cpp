@@ -12,6 +12,7 @@
 #include "core/numbers/check.h"
 #include "core/numbers/stop.h"
 #include "experiments/formats/certificate_polynomial.h"
+#include "experiments/formats/claim_words.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/log_digest.h"
 #include "experiments/lab/gmp_memory.h"
@@ -78,7 +79,7 @@ class Recorder final : public EventSink {
     run_.bound = stages_->bound();
     for (const auto& predicate : run_.bound) {
       run_.predicates.emplace_back(predicate->name());
-      run_.forms.push_back(predicate->form());
+      run_.forms.push_back(formats::claim_form(*predicate, simulator_->scene()));
     }
     run_.digest = digest_->hex();
     return std::move(run_);

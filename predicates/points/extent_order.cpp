@@ -70,7 +70,7 @@ struct ExtentOrder {
 
 template <int Arity>
 std::shared_ptr<const Predicate> make(const std::vector<std::vector<Rational>>& weights,
-                                      const std::array<int, 4>& arguments) {
+                                      const std::array<int, 4>& arguments, bool same_direction) {
   const std::size_t axes = weights[0].size();
   std::vector<Rational> flat;  // scaled together
   for (const std::vector<Rational>& w : weights) flat.insert(flat.end(), w.begin(), w.end());
@@ -80,8 +80,11 @@ std::shared_ptr<const Predicate> make(const std::vector<std::vector<Rational>>& 
     formula.places[i] = static_cast<std::uint8_t>(arguments[i]);
   }
   const auto end = [&](std::size_t i) { return "{" + std::to_string(arguments[i]) + "}"; };
-  formula.says = "the extent from " + end(1) + " to " + end(0) + " is at least that from " +
-                 end(3) + " to " + end(2) + ", each along its direction";
+  const bool same_ends = arguments[0] == arguments[2] && arguments[1] == arguments[3];
+  formula.says = "the extent from " + end(1) + " to " + end(0) +
+                 " along one direction is at least that " +
+                 (same_ends ? "" : "from " + end(3) + " to " + end(2) + " ") + "along " +
+                 (same_direction ? "it" : "another");
   for (std::size_t i = 1; i < weights.size(); ++i) {
     formula.weights.emplace_back();
     for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -107,9 +110,12 @@ std::shared_ptr<const Predicate> make_extent_order(const std::vector<Rational>& 
     }
   }
   switch (weights.size()) {
-    case 2: return make<2>(weights, arguments);
-    case 3: return make<3>(weights, arguments);
-    case 4: return make<4>(weights, arguments);
+    case 2:
+      return make<2>(weights, arguments, u == v);
+    case 3:
+      return make<3>(weights, arguments, u == v);
+    case 4:
+      return make<4>(weights, arguments, u == v);
     default: throw std::invalid_argument("an order of extents needs two objects or more");
   }
 }

@@ -21,18 +21,21 @@ lab::FamilyExperiments arrangement_experiments() {
       {"random-lines-and-points", "chords and points of the unit square, linear motion", 2, 2, 2,
        true, false, false, "incidences_all", generate_random_lines_and_points},
       {"three-bundles",
-       "three bundles of n / 3 parallel lines each: (n / 3)^3 triples meet, each at its own instant", 2,
-       2, 2, false, false, false, "line_arrangement_2", generate_three_bundles},
+       "three bundles of n / 3 parallel lines each, rounded up or down: (n / 3)^3 triples meet, "
+       "each at its own "
+       "instant",
+       2, 2, 2, false, false, false, "line_arrangement_2", generate_three_bundles},
       {"turning-pencil",
-       "n lines meet twice, and all slopes change their order: the most events that there can be", 2, 2,
-       2, false, false, false, "line_arrangement_2", generate_turning_pencil},
-      {"small-lines", "lines of small integers from a generator that every program can repeat", 2, 2, 2,
-       true, false, false, "line_arrangement_2", generate_small_lines},
+       "n lines meet twice, and all slopes change their order: the most events that there can be",
+       2, 2, 2, false, false, false, "line_arrangement_2", generate_turning_pencil},
+      {"small-lines", "lines of small integers from a generator that every program can repeat", 2,
+       2, 2, true, false, false, "line_arrangement_2", generate_small_lines},
       {"random-lines", "chords of the unit square, linear motion", 2, 2, 2, true, false, false,
        "line_arrangement_2", generate_random_lines}};
   lab::set_kind(family.workloads, lab::SceneKind::kRandom,
                 {"random-lines-and-points", "random-lines"});
   lab::set_kind(family.workloads, lab::SceneKind::kTies, {"small-lines-and-points", "small-lines"});
+  lab::set_sizes(family.workloads, {{"points-through-lines", "points", "lines"}});
   family.event_bounds = {"triples"};
   family.long_audits = {"line_arrangement_2", "trapezoids_2"};
   family.add_cells = add_arrangement_cells;

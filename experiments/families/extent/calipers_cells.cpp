@@ -99,7 +99,11 @@ std::vector<lab::Workload> caliper_workloads() {
   lab::Workload through{"through-point",
                         "--n points pass through one point at one instant: no extent changes",
                         2, 2, 2, false, false, false, "diameter_2", generate_through_point, 1};
-  return {vernier, turned, comb, through};
+  std::vector<lab::Workload> all{vernier, turned, comb, through};
+  lab::set_sizes(all, {{"vernier", "points at rest", "moving points"},
+                       {"vernier-turned", "points at rest", "moving points"},
+                       {"comb", "tips", "edges"}});
+  return all;
 }
 
 std::vector<lab::TradePlan> caliper_trade() {

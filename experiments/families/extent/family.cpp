@@ -26,6 +26,7 @@ lab::FamilyExperiments extent_experiments() {
       {"obtuse-triangle",
        "a triangle with a smallest circle that changes 4 times; other points inside", 2, 2, 2,
        false, false, false, "min_circle_2", generate_obtuse_triangle, 3}};
+  lab::set_sizes(family.workloads, {{"seesaw", "points at rest", "points that pass"}});
   family.add_cells = add_extent_cells;
   family.studies = {{"directions_2", "directions", "directions_2", study_directions},
                     {"calipers", "diameter", "calipers_2", study_calipers}};

@@ -12,7 +12,8 @@ lab::FamilyExperiments hull_experiments() {
   family.name = "hull";
   family.workloads = {{"hull-worst",
                        "a convex hull of --m slow and --n moving points that changes 2nm - 1 times",
-                       2, 2, 2, false, false, true, "delaunay_2", generate_hull_worst}};
+                       2, 2, 2, false, false, true, "convex_hull_2", generate_hull_worst}};
+  lab::set_sizes(family.workloads, {{"hull-worst", "moving points", "slow points"}});
   family.add_cells = add_hull_cells;
   family.studies = {{"convex_hull_2", "convex_hull", "convex_hull_2", study_hull_locality}};
   family.trade = {{"convex_hull_2",

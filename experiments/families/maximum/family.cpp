@@ -14,6 +14,7 @@ lab::FamilyExperiments maximum_experiments() {
        1, 1, 1, false, false, false, "maximum_tournament", generate_tournament_worst},
       {"heap-worst", "as many failures of a kinetic heap as the sum of its depths", 1, 1, 1, false,
        false, false, "maximum_heap", generate_heap_worst}};
+  family.workloads.front().default_n = 64;
   family.add_cells = add_maximum_cells;
   family.add_comparisons = add_maximum_comparison;
   family.studies = {{"maximum_hanger", "maximum", "maximum_hanger", study_hanger}};

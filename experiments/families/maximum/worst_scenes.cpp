@@ -13,8 +13,12 @@ namespace kinex::families {
 void generate_tournament_worst(const lab::WorkloadParameters& parameters, Scene& scene) {
   const int n = parameters.n;
   if ((n & (n - 1)) != 0) {
-    throw formats::InputError("tournament-worst", "--n",
-                     show_text(std::to_string(n)) + " is not a power of two", "write 2, 4, 8, ..");
+    int below = 1;
+    while (2 * below < n) below *= 2;
+    const bool above = 2 * below <= lab::kMaxWorkloadSize;
+    throw formats::InputError(
+        "tournament-worst", "--n", show_text(std::to_string(n)) + " is not a power of two",
+        "write " + std::to_string(below) + (above ? " or " + std::to_string(2 * below) : ""));
   }
   scene.start = 0;
   for (int leaf = 0; leaf < n; ++leaf) {

@@ -44,6 +44,8 @@ std::vector<lab::Workload> point_workloads() {
       {"grid", "lattice", "meet", "through-one-point", "near-one-point", "collinear-instant",
        "counter-rotating-rings", "expanding-circle", "rotating-circle"});
   lab::set_kind(all, SceneKind::kNewPlans, {"new-plans", "come-and-go", "walks"});
+  lab::set_sizes(all, {{"new-plans", "objects", "new destinations"},
+                       {"walks", "objects", "flight plans of each object"}});
   return all;
 }
 

@@ -53,6 +53,13 @@ lab::FamilyExperiments proximity_experiments() {
       {"random-graph", "random-planar-graph", "random-discs", "random-boxes", "apart-discs"});
   lab::set_kind(family.workloads, lab::SceneKind::kTies,
                 {"small-integers", "small-discs", "small-boxes"});
+  lab::set_sizes(family.workloads, {{"pass-over-row", "points that pass", "points of the row"},
+                                    {"pass-along-row", "points that pass", "points of the row"},
+                                    {"colours-along-row", "points that pass", "points of the row"},
+                                    {"parallel-edges", "edges of each bundle", "bundles"},
+                                    {"random-graph", "edges", "vertices"},
+                                    {"random-planar-graph", "edges"},
+                                    {"gaps-along-row", "discs that pass", "discs of the row"}});
   family.add_cells = add_proximity_cells;
   family.event_bounds = {"swaps"};
   family.long_audits = {"mst_maximum_norm_list",

@@ -46,6 +46,11 @@ lab::FamilyExperiments triangulation_experiments() {
   lab::set_kind(family.workloads, lab::SceneKind::kTies,
                 {"small-weights", "small-moving-weights", "sheared-lattice",
                  "twice-sheared-lattice", "bipyramid"});
+  lab::set_sizes(family.workloads, {{"skew-curves", "points of each curve"},
+                                    {"skew-rows", "points of each row", "points that pass"},
+                                    {"bipyramid", "points of the circle"},
+                                    {"show-and-hide", "light points", "pairs of heavy points"},
+                                    {"breathing", "times that the value is crossed"}});
   family.add_cells = add_triangulation_cells;
   family.studies = {{"triangulation_growth", "regular_2", "regular_3", study_triangulation_growth}};
   family.event_bounds = {"passes"};

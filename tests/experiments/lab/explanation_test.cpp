@@ -79,6 +79,49 @@ TEST(Explanation, RowsOfPredicatesAreFew) {
               Contains(HasSubstr("line_slope_order(a, b), constant in t: ")));
 }
 
+// An example in which nothing happens explains nothing.
+TEST(Explanation, ExamplesHaveEvents) {
+  for (const StructureInfo& info : structure_infos()) {
+    if (info.kinds.empty()) continue;  // it has none
+    SCOPED_TRACE(info.name);
+    const ExampleScene example = example_scene(info);
+    ASSERT_NE(example.workload, nullptr);
+    const Scene scene = generate_scene(example.workload->name, example.parameters, info.name);
+    const std::unique_ptr<Simulator> simulator = make_simulator(scene, "exact", {});
+    run_scene(*simulator, {});
+    std::uint64_t events = 0;
+    for (StructureId id = 0; id < simulator->structures(); ++id) {
+      if (simulator->structure(id).name() != info.name) continue;
+      events += simulator->ledger(id).external + simulator->ledger(id).internal;
+    }
+    EXPECT_GT(events, 0u);
+  }
+}
+
+// Certificates of lines are about slopes and crossings, not about the points that stand for lines.
+TEST(Explanation, CertificatesOfLines) {
+  EXPECT_THAT(*part(explain(*find_structure_info("line_arrangement_2")), "predicates"),
+              testing::ElementsAre(
+                  HasSubstr("order_x(a, b), degree d in t: the slope of a is at most that of b"),
+                  HasSubstr("order_y(a, b), degree d in t: a is not above b at x = 0"),
+                  HasSubstr("orientation_2(a, b, c), degree 2d in t: c is not below the crossing "
+                            "of a and b, if a has the "
+                            "smaller slope, and not above it otherwise")));
+  EXPECT_THAT(
+      *part(explain(*find_structure_info("trapezoids_2")), "predicates"),
+      Contains(HasSubstr(
+          "the crossing of c and d is not to the right of that of a and b, if slopes grow")));
+}
+
+// No certificate says that something is at least itself.
+TEST(Explanation, ExtentsOfTheSamePoints) {
+  EXPECT_THAT(
+      *part(explain(*find_structure_info("mst_polygon_list")), "predicates"),
+      Contains(HasSubstr(
+          "order_extent_2(a, b), degree d in t: the extent from b to a along one direction is at "
+          "least that along another")));
+}
+
 TEST(Explanation, EveryWorkloadAndItsOptions) {
   for (const Workload& workload : workloads()) {
     SCOPED_TRACE(workload.name);
@@ -89,6 +132,9 @@ TEST(Explanation, EveryWorkloadAndItsOptions) {
                          [&](const std::string& line) { return line.starts_with(option + " "); });
     };
     EXPECT_TRUE(has("--n"));
+    EXPECT_THAT(options.front(),
+                AllOf(HasSubstr("--n  " + std::string(workload.n_counts) + ": "),
+                      HasSubstr(std::to_string(workload.default_n) + " by default")));
     EXPECT_EQ(has("--seed"), workload.random);
     EXPECT_EQ(has("--m"), workload.takes_m);
     EXPECT_EQ(has("--degree"), workload.takes_degree);

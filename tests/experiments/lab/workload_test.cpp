@@ -106,6 +106,27 @@ TEST(Workload, EveryFamilyIsAValidScene) {
   }
 }
 
+// What --help and explain say of sizes: --n counts objects unless it says otherwise, and the defaults make a scene.
+TEST(Workload, SizesAreWhatTheyAreSaidToBe) {
+  for (const lab::Workload& workload : lab::workloads()) {
+    SCOPED_TRACE(workload.name);
+    lab::WorkloadParameters parameters;
+    parameters.n = workload.default_n;
+    EXPECT_GE(workload.default_n, workload.min_n);
+    const Scene scene = lab::generate_scene(workload, parameters);
+    const bool counts_objects = workload.n_counts == "objects" || workload.n_counts == "polygons" ||
+                                workload.n_counts == "edges";
+    EXPECT_EQ(scene.objects.size() == static_cast<std::size_t>(parameters.n),
+              counts_objects || workload.m_counts == "bundles");  // one bundle, if --m is not given
+    EXPECT_EQ(workload.m_counts.empty(), !workload.takes_m);
+    const int m = lab::resolved(workload, parameters).m;
+    if (workload.takes_m) {
+      EXPECT_GE(m, workload.min_m);
+      EXPECT_EQ(m, workload.default_m == 0 ? parameters.n : workload.default_m);
+    }
+  }
+}
+
 TEST(Workload, RootsAreRoundedDownToTheGridAndNoFurther) {
   for (const std::int64_t n : {1, 2, 3, 8, 16, 48, 68, 1000, 9999991}) {
     for (const auto& [root, power] :

@@ -276,7 +276,7 @@ TEST(PolygonWorkload, RandomOnesCollideNowAndThen) {
 
 TEST(PolygonWorkload, ParametersAreChecked) {
   EXPECT_INPUT_ERROR(generate("polygon-orbit", 2),
-                     "polygon-orbit: --n: 2 vertices; write a number");
+                     "polygon-orbit: --n: 2 vertices of one polygon; write a number");
   EXPECT_INPUT_ERROR(generate("polygon-orbit", 4, 2), "--m: 2 vertices");
   EXPECT_INPUT_ERROR(generate("polygon-orbit", 4, 4, Rational(0)),
                      "--separation: 0 is no distance");
