@@ -52,7 +52,10 @@ int exit_code_of(const verify::VerifyResult& result) {
 class LongTable {
  public:
   LongTable(const VerifyOptions& options, bool bounds)
-      : options_(options), bounds_(bounds), headed_(options.table), text_(verify::table_header(bounds)) {
+      : options_(options),
+        bounds_(bounds),
+        headed_(options.table),
+        text_(verify::table_legend(bounds) + verify::table_header(bounds)) {
     if (options.table && !options.json) options.voice.report(text_);
   }
   // As lines of the table, and as JSON.

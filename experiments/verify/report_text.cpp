@@ -122,6 +122,22 @@ bool shows_bounds(const std::vector<lab::Cell>& cells) {
 
 std::string table_header(bool bounds) { return lab::text_header(cell_columns(bounds)); }
 
+std::string table_legend(bool bounds) {
+  return std::string("external, internal  events; means over the runs, where there are several\n") +
+         (bounds ? "bound     the hard bound on the events, a theorem that no run may exceed; "
+                   "where there is none on\n"
+                   "          all of them, that on those of one structure; - is none\n"
+                 : "") +
+         "expected  what is claimed, by a proof or an independent count; of several claims the "
+         "first; - is none\n"
+         "observed  what was counted of it; of a row without a claim all events, external and "
+         "internal\n"
+         "checks    those that hold, of all: the claims, every hard bound, audits\n"
+         "ex/dbl    CPU time in exact arithmetic over that in doubles, of the first scene; "
+         "differs: doubles had\n"
+         "          other events; -: too short to be measured\n\n";
+}
+
 std::string table_row(const lab::CellResult& cell, bool bounds) {
   std::string text = lab::text_row(cell_columns(bounds), cell_row(cell).texts(bounds));
   for (const lab::Check& check : cell.checks) {

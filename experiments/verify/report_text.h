@@ -33,6 +33,8 @@ std::vector<lab::TextColumn> cell_columns(bool bounds);
 // True if some of these cells may have a hard bound on their events.
 bool shows_bounds(const std::vector<lab::Cell>& cells);
 std::string table_header(bool bounds = true);
+// What the columns are, a line for each that its title does not say.
+std::string table_legend(bool bounds = true);
 // One line, and one more for each check that is not a PASS, and for each scene kept.
 std::string table_row(const lab::CellResult& cell, bool bounds = true);
 // One line, and one more for the neighbours of its law.

@@ -65,6 +65,8 @@ def main():
             fail(f"the command ends with {done.stdout!r}")
         if len((folder / "verify.txt").read_text().splitlines()) < int(verdict.group(1)):
             fail("the long table is not in verify.txt")
+        if "\nbound     the hard bound" not in (folder / "verify.txt").read_text():
+            fail("verify.txt does not say what its columns are")
         html = (folder / "verify.html").read_text(encoding="utf-8")
         anchor = re.search(r'<tr id="([^"]*)"', html).group(1)
         seen = ask(chromium, html, PROBE, "#" + anchor)

@@ -295,6 +295,12 @@ TEST(VerifyPage, SaysWhatFailedAndThatThereAreNoPlots) {
 
 TEST(Table, HasOneAlignedLinePerCell) {
   const std::string header = verify::table_header();
+  // Columns whose titles say too little are in the legend.
+  for (const char* column : {"\nbound ", "\nexpected ", "\nobserved ", "\nchecks ", "\nex/dbl "}) {
+    EXPECT_THAT(verify::table_legend(), HasSubstr(column));
+    EXPECT_THAT(header, HasSubstr(column + 1));
+  }
+  EXPECT_THAT(verify::table_legend(false), Not(HasSubstr("bound ")));
   const std::string row = verify::table_row(run(sorting_cell(28)));
   EXPECT_EQ(std::count(row.begin(), row.end(), '\n'), 1);
   EXPECT_EQ(header.find("verdict"), row.find("PASS"));
