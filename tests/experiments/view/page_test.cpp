@@ -58,6 +58,22 @@ TEST(ViewPage, DataHoldsWhatWasRecorded) {
   }
 }
 
+// Certificates of lines are about slopes, not about the points that stand for lines.
+TEST(ViewPage, CertificatesOfLinesAreInTheirWords) {
+  const auto words_of_order_x = [](const Scene& scene) -> std::string {
+    const json data = data_of(scene, {record(scene)});
+    const json& run = data["runs"][0];
+    for (std::size_t i = 0; i < run["predicates"].size(); ++i) {
+      if (run["predicates"][i] == "order_x") return run["forms"][i][2];
+    }
+    return "";
+  };
+  EXPECT_EQ(words_of_order_x(workload("random-lines", 4, "line_arrangement_2")),
+            "the slope of {0} is at most that of {1}");
+  EXPECT_EQ(words_of_order_x(workload("uniform-square", 4, "sorted_list")),
+            "{0} is not beyond {1} on the axis");
+}
+
 // Drawn positions agree with exact ones.
 TEST(ViewPage, MotionsAreThoseOfTheScene) {
   const Scene scene = busy_scene("delaunay_2");
