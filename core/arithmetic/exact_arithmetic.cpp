@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The floating-point filter of ExactArithmetic. Its polynomials are in
-// exact_arithmetic_polynomial.cpp, the exact stage in exact_arithmetic_slow.cpp.
+// exact_arithmetic_polynomial.cpp, the exact stage in exact_arithmetic_slow.cpp
+// and exact_arithmetic_short.cpp.
 #include "core/arithmetic/exact_arithmetic.h"
 
 #include <array>

@@ -41,6 +41,7 @@
 #include "core/numbers/difference_lanes.h"
 #include "core/numbers/first_root_lanes.h"
 #include "core/numbers/lanes.h"
+#include "core/numbers/short_dyadic.h"
 
 namespace kinex {
 
@@ -229,6 +230,14 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     return !now_.own || sum_of_ids(query) != now_.sum_of_ids ? 0 : relation_by_ids(query);
   }
   int relation_by_ids(const Query& query) const;
+  bool is_now(const Query& query, const FailureTime& time) const;
+  // exact_arithmetic_short.cpp
+  std::optional<std::array<Sign, 2>> signs_at(const Query& query, const ShortDyadic& t) const;
+  bool vanishes_at(const Query& query, const ShortDyadic& t) const;
+  std::optional<ShortDyadic> short_now();
+  std::optional<Sign> short_sign_after(const Query& query);
+  std::optional<Outlook> short_failure(const Query& query, FailureTime& time);
+  bool share_short_root(const Query& a, FailureTime& ta, const Query& b, FailureTime& tb);
   double horizon(const Query& query) const {
     return until_.empty() ? end_upper_ : first_end(query);
   }

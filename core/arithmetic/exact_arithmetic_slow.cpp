@@ -48,7 +48,7 @@ void ExactArithmetic::set_now(const Rational& t) {
   now_ = Now{};
   now_.lo = t.lower_double();
   now_.hi = t.upper_double();
-  now_.root = roots_.add(RealRoot(t));
+  now_.root = roots_.add(t);
   begin_name(Query(), &t);
   update_origin();
 }
@@ -89,9 +89,12 @@ void ExactArithmetic::leave() {
 // The root that [lo, hi] isolates: the filter has proved opposite signs at the ends and one root.
 std::uint32_t ExactArithmetic::make_root(const Query& query, const FailureTime& time) {
   ++counters_.roots_made_exact;
+  if (const auto t = shortest_dyadic(time.lo, time.hi); t && vanishes_at(query, *t)) {
+    return roots_.add(t->to_rational());
+  }
   Polynomial p = exact_polynomial(query);
   root_counters_.max_bits = std::max<std::uint64_t>(root_counters_.max_bits, p.max_bits());
-  if (p.degree() == 1) return roots_.add(RealRoot(Rational(-p[0], p[1])));
+  if (p.degree() == 1) return roots_.add(Rational(-p[0], p[1]));
   return roots_.add(
       RealRoot(std::move(p), exactly(time.lo), exactly(time.hi)));
 }
@@ -112,6 +115,7 @@ Outlook ExactArithmetic::fails_now(FailureTime& time) {
 }
 
 Sign ExactArithmetic::exact_sign_after(const Query& query) {
+  if (const auto sign = short_sign_after(query)) return *sign;
   const Polynomial p = exact_polynomial(query);
   const Sign sign =
       p.is_zero() ? Sign::kZero : kinex::sign_after(p, roots_[now_root()], root_counters_);
@@ -146,6 +150,7 @@ Sign ExactArithmetic::sign_now(const Query& query) {
 }
 
 Outlook ExactArithmetic::exact_failure(const Query& query, FailureTime& time) {
+  if (const auto outlook = short_failure(query, time)) return *outlook;
   const Polynomial p = exact_polynomial(query);
   if (p.is_zero()) return Outlook::kIdenticallyZero;
   solved_degree_ = p.degree();
@@ -220,9 +225,13 @@ int ExactArithmetic::compare(const Query& a, FailureTime& ta, const Query& b, Fa
     const Int128 cross = a0 * b1 - b0 * a1;
     return cross > 0 ? -1 : cross < 0 ? 1 : 0;
   }
+  if (ta.root != 0 && (ta.root & ~kFlags) == (tb.root & ~kFlags)) return 0;
+  if (share_short_root(a, ta, b, tb)) {
+    count_comparison(a, Stage::kDouble);
+    return 0;
+  }
   const std::uint32_t ra = root_of(a, ta);
   const std::uint32_t rb = root_of(b, tb);
-  if (ra == rb) return 0;
   count_comparison(a, Stage::kExact);
   const int order = kinex::compare(roots_[ra], roots_[rb], root_counters_);
   if (order == 0) {
@@ -235,9 +244,21 @@ int ExactArithmetic::compare(const Query& a, FailureTime& ta, const Query& b, Fa
   return order;
 }
 
+// For enclosures that overlap. Each of them has one root of the same polynomial, where that becomes
+// negative. Between two such roots there is one where it becomes positive: so they are the same root.
+bool ExactArithmetic::is_now(const Query& query, const FailureTime& time) const {
+  return time.root == 0 && now_.isolated && relation_to_now(query) > 0;
+}
+
 int ExactArithmetic::compare_with_now(const Query& a, FailureTime& ta) {
   if (ta.lo > now_.hi) return 1;
   if (ta.hi < now_.lo) return -1;
+  if (is_now(a, ta)) {
+    count_comparison(a, Stage::kDouble);
+    ta.lo = now_.lo = std::max(ta.lo, now_.lo);
+    ta.hi = now_.hi = std::min(ta.hi, now_.hi);
+    return 0;
+  }
   Int128 a0, a1, b0, b1;
   if (ta.root == 0 && now_.own && linear_narrow(a, a0, a1) && linear_narrow(now_.query, b0, b1)) {
     count_comparison(a, Stage::kDouble);
@@ -245,16 +266,21 @@ int ExactArithmetic::compare_with_now(const Query& a, FailureTime& ta) {
     const Int128 cross = a0 * b1 - b0 * a1;
     return cross > 0 ? -1 : cross < 0 ? 1 : 0;
   }
-  FailureTime now{now_.lo, now_.hi, now_root()};
-  const std::uint32_t ra = root_of(a, ta);
-  if (ra == now.root) return 0;
-  count_comparison(a, Stage::kExact);
-  const int order = kinex::compare(roots_[ra], roots_[now.root], root_counters_);
-  if (order == 0) {
-    merge(ta, now);
+  if (ta.root != 0 && (ta.root & ~kFlags) == now_.root) return 0;
+  FailureTime now{now_.lo, now_.hi, now_.root};
+  int order = 0;
+  if (share_short_root(a, ta, now_.query, now)) {
+    count_comparison(a, Stage::kDouble);
   } else {
-    shrink(ta);
-    shrink(now);
+    now.root = now_root();
+    count_comparison(a, Stage::kExact);
+    order = kinex::compare(roots_[root_of(a, ta)], roots_[now.root], root_counters_);
+    if (order == 0) {
+      merge(ta, now);
+    } else {
+      shrink(ta);
+      shrink(now);
+    }
   }
   now_.lo = now.lo;
   now_.hi = now.hi;

@@ -18,17 +18,8 @@ namespace kinex {
 class RootTable {
  public:
   // A new entry with one reference.
-  std::uint32_t add(RealRoot root) {
-    if (free_.empty()) {
-      slots_.push_back({});
-      free_.push_back(static_cast<std::uint32_t>(slots_.size()));
-    }
-    const std::uint32_t handle = free_.back();
-    free_.pop_back();
-    slots_[handle - 1] = {std::make_unique<RealRoot>(std::move(root)), 1};
-    ++live_;
-    return handle;
-  }
+  std::uint32_t add(RealRoot root) { return add(std::make_unique<RealRoot>(std::move(root))); }
+  std::uint32_t add(Rational value) { return add(std::make_unique<RealRoot>(std::move(value))); }
   // One more reference; returns the handle.
   std::uint32_t share(std::uint32_t handle) {
     if (handle != 0) ++slots_[handle - 1].references;
@@ -54,6 +45,18 @@ class RootTable {
   }
 
  private:
+  std::uint32_t add(std::unique_ptr<RealRoot> root) {
+    if (free_.empty()) {
+      slots_.push_back({});
+      free_.push_back(static_cast<std::uint32_t>(slots_.size()));
+    }
+    const std::uint32_t handle = free_.back();
+    free_.pop_back();
+    slots_[handle - 1] = {std::move(root), 1};
+    ++live_;
+    return handle;
+  }
+
   struct Slot {
     std::unique_ptr<RealRoot> root;
     std::uint32_t references = 0;

@@ -27,7 +27,7 @@ double rounded(const Integer& numerator, long exponent, mpfr_rnd_t mode) {
 
 }  // namespace
 
-RealRoot::RealRoot(const Rational& value) { become_rational(value); }
+RealRoot::RealRoot(Rational value) : rational_(true), value_(std::move(value)) {}
 
 RealRoot::RealRoot(Polynomial polynomial, const Rational& lower, const Rational& upper)
     : polynomial_(std::make_shared<const Polynomial>(std::move(polynomial))) {
@@ -73,9 +73,8 @@ void RealRoot::set_exponent(long exponent) {
 }
 
 void RealRoot::become_rational(const Rational& value) {
-  const Rational copy = value;  // it may be a part of this
-  polynomial_ = std::make_shared<const Polynomial>(
-      std::vector<Integer>{-copy.numerator(), copy.denominator()});
+  if (!value_ || &*value_ != &value) value_ = value;
+  polynomial_ = nullptr;
   lower_ = Integer();
   upper_ = Integer();
   value_at_lower_ = Value();
@@ -83,7 +82,11 @@ void RealRoot::become_rational(const Rational& value) {
   exponent_ = 0;
   sign_at_lower_ = Sign::kZero;
   rational_ = true;
-  value_ = copy;
+}
+
+Polynomial RealRoot::polynomial() const {
+  if (!rational_) return *polynomial_;
+  return Polynomial(std::vector<Integer>{-value_->numerator(), value_->denominator()});
 }
 
 Rational RealRoot::lower() const { return rational_ ? *value_ : dyadic(lower_, exponent_); }

@@ -32,12 +32,12 @@ struct RootCounters {
 // reference. A refinement that hits the root exactly turns `isolated` into `rational`.
 class RealRoot {
  public:
-  explicit RealRoot(const Rational& value);
+  explicit RealRoot(Rational value);
   // Requires the `isolated` invariant (asserted for the signs); lower, upper dyadic.
   RealRoot(Polynomial polynomial, const Rational& lower, const Rational& upper);
 
   bool is_rational() const { return rational_; }
-  const Polynomial& polynomial() const { return *polynomial_; }
+  Polynomial polynomial() const;
   Rational lower() const;  // both ends equal value() when rational
   Rational upper() const;
   Rational value() const;                                // requires is_rational()
@@ -92,7 +92,7 @@ class RealRoot {
   bool changes_sign(const Polynomial& g) const;
 
   // The interval is [lower_, upper_] / 2^exponent_; both are 0 when rational.
-  std::shared_ptr<const Polynomial> polynomial_;
+  std::shared_ptr<const Polynomial> polynomial_;  // none if it is rational
   Integer lower_, upper_;
   long exponent_ = 0;      // may be negative (large numbers)
   unsigned qir_bits_ = 1;  // log2 of the number of parts the next refinement tries

@@ -131,6 +131,14 @@ std::optional<RealRoot> first_sign_change_after(const Polynomial& p, RealRoot& a
     if (compare(after, value, counters) >= 0) return std::nullopt;
     return RealRoot(value);
   }
+  if (p.degree() == 2 && after.is_rational()) {
+    const Rational root = after.value();
+    if (p.sign_at(root) == Sign::kZero) {  // the other one is rational, too
+      const Rational value = Rational(-p[1], p[2]) - root;
+      if (value <= root || (until && value > *until)) return std::nullopt;
+      return RealRoot(value);
+    }
+  }
 
   // A dyadic starting point at or below `after`.
   const Rational lower = after.lower();

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/numbers/short_dyadic.h"
+
+#include <cmath>
+
+namespace kinex {
+namespace {
+
+constexpr double kMost = 0x1p30;
+constexpr int kMostPlaces = 10;
+
+}  // namespace
+
+double ShortDyadic::to_double() const {
+  return std::ldexp(static_cast<double>(numerator), -places);
+}
+
+Rational ShortDyadic::to_rational() const {
+  Rational result(numerator);
+  mpq_div_2exp(result.raw(), result.raw(), static_cast<mp_bitcnt_t>(places));
+  return result;
+}
+
+std::optional<ShortDyadic> shortest_dyadic(double lo, double hi) {
+  if (!(lo >= -kMost && hi <= kMost)) return std::nullopt;
+  double scale = 1;
+  for (int places = 0; places <= kMostPlaces; ++places, scale *= 2) {
+    const double k = std::ceil(lo * scale);
+    if (k <= hi * scale) return ShortDyadic{static_cast<std::int64_t>(k), places};
+  }
+  return std::nullopt;
+}
+
+}  // namespace kinex
