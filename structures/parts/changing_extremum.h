@@ -93,7 +93,7 @@ class ChangingExtremum {
       states_[item] = State::kThere;  // of no value, or of one that comes
     } else {
       states_[item] = State::kGoing;
-      going_.push_back(value);
+      going_.push_back({value, item});
     }
     return true;
   }
@@ -169,7 +169,7 @@ class ChangingExtremum {
   }
   std::size_t bytes() const {
     return tournament_.bytes() + numbers().bytes() + states_.capacity() * sizeof(State) +
-           going_.capacity() * sizeof(Value) +
+           going_.capacity() * sizeof(going_[0]) +
            (gone_.capacity() + came_.capacity() + coming_.capacity()) * sizeof(Item);
   }
 
@@ -211,9 +211,8 @@ class ChangingExtremum {
     came_.clear();
     std::sort(going_.begin(), going_.end());
     going_.erase(std::unique(going_.begin(), going_.end()), going_.end());
-    for (const Value& value : going_) {
-      const Item item = numbers().find(value);
-      if (item == kNoItem || states_[item] != State::kGoing) continue;
+    for (const auto& [value, item] : going_) {
+      if (states_[item] != State::kGoing) continue;  // it has come back
       gone_.push_back(item);
       numbers().remove(item);
     }
@@ -231,7 +230,8 @@ class ChangingExtremum {
   KineticTournament<Numbered> tournament_;
   std::vector<State> states_;  // by item
   std::size_t size_ = 0;       // of the values, without those that go
-  std::vector<Value> going_;
+  // With its number, which is its own until the changes are taken.
+  std::vector<std::pair<Value, Item>> going_;
   std::vector<Item> coming_;
   std::vector<Item> gone_, came_;  // scratch
 };

@@ -5,8 +5,8 @@
 // their numbers, so that a value is found in its own memory:
 //
 //   first_   by hash    [ 2 | - | 0 | - ]       "ab" is number 2: the chain of its hash is 2, 1
-//   values_  by number  [ cd | ef | ab ]
-//   next_    by number  [ -  | -  | 1  ]
+//   entries_ by number  [ cd | ef | ab ]
+//            next       [ -  | -  | 1  ]
 //
 // Numbers depend on the calls alone, not on hashes.
 //
@@ -26,14 +26,16 @@ namespace kinex {
 template <class Value>
 class ValueNumbers {
  public:
-  const Value& operator[](Item number) const { return values_[number]; }
+  const Value& operator[](Item number) const { return entries_[number].value; }
   // The number of values that are there.
   std::size_t size() const { return size_; }
   // kNoItem if the value is not there.
   Item find(const Value& value) const {
     if (first_.empty()) return kNoItem;
     Item number = first_[bucket(value)];
-    while (number != kNoItem && !is_same(values_[number], value)) number = next_[number];
+    while (number != kNoItem && !is_same(entries_[number].value, value)) {
+      number = entries_[number].next;
+    }
     return number;
   }
   // Numbers a value that is not there.
@@ -41,13 +43,12 @@ class ValueNumbers {
     if (size_ == first_.size()) grow();
     Item number;
     if (free_.empty()) {
-      number = static_cast<Item>(values_.size());
-      values_.push_back(value);
-      next_.push_back(kNoItem);
+      number = static_cast<Item>(entries_.size());
+      entries_.push_back({value, kNoItem});
     } else {
       number = free_.back();
       free_.pop_back();
-      values_[number] = value;
+      entries_[number].value = value;
     }
     link(number);
     ++size_;
@@ -55,9 +56,9 @@ class ValueNumbers {
   }
   // The value is there no longer. Its number still has it, until release().
   void remove(Item number) {
-    Item* link = &first_[bucket(values_[number])];
-    while (*link != number) link = &next_[*link];
-    *link = next_[number];
+    Item* link = &first_[bucket(entries_[number].value)];
+    while (*link != number) link = &entries_[*link].next;
+    *link = entries_[number].next;
     --size_;
   }
   // The number of a value that was removed may be given to another one; the last one first.
@@ -67,15 +68,22 @@ class ValueNumbers {
   template <class Visit>
   void each(const Visit& visit) const {
     for (const Item first : first_) {
-      for (Item number = first; number != kNoItem; number = next_[number]) visit(number);
+      for (Item number = first; number != kNoItem; number = entries_[number].next) {
+        visit(number);
+      }
     }
   }
   std::size_t bytes() const {
-    return values_.capacity() * sizeof(Value) +
-           (first_.capacity() + next_.capacity() + free_.capacity()) * sizeof(Item);
+    return entries_.capacity() * sizeof(Entry) +
+           (first_.capacity() + free_.capacity()) * sizeof(Item);
   }
 
  private:
+  struct Entry {
+    Value value;
+    Item next;  // with the same hash
+  };
+
   // Part by part: the comparison of arrays is a call of memcmp.
   static bool is_same(const Value& a, const Value& b) {
     bool same = true;
@@ -91,8 +99,8 @@ class ValueNumbers {
     return static_cast<std::size_t>(hash) & (first_.size() - 1);
   }
   void link(Item number) {
-    Item& first = first_[bucket(values_[number])];
-    next_[number] = first;
+    Item& first = first_[bucket(entries_[number].value)];
+    entries_[number].next = first;
     first = number;
   }
   void grow() {
@@ -103,9 +111,8 @@ class ValueNumbers {
     for (const Item number : there) link(number);
   }
 
-  std::vector<Value> values_;  // by number
-  std::vector<Item> first_;    // by hash; their number is a power of 2
-  std::vector<Item> next_;     // by number
+  std::vector<Entry> entries_;  // by number
+  std::vector<Item> first_;     // by hash; their number is a power of 2
   std::vector<Item> free_;
   std::size_t size_ = 0;
 };

@@ -3,7 +3,9 @@
 //   to have: time in `exact` over that in doubles, failures and external events per second, trees against
 //   the triangulation that they read?
 // Workload: the linear rows of `speed` of three families, without those full of ties or of new plans. Rounds
-//   of both arithmetics are interleaved, three of each, of 0.7 seconds or more; the best run counts.
+//   of both arithmetics are interleaved, three of each, of 0.7 seconds or more; the best run counts. Each
+//   row is measured in a process of its own (own_process.h): in one for all, rows grow slower with their
+//   place, by up to a half.
 // Times: thread CPU time of the run, structures that are read included. That of building them at the start
 //   is a column of its own, and in no rate or ratio. Some rows stop after a number of failures: a column
 //   says so.
@@ -28,6 +30,7 @@
 #include "experiments/lab/bench_row.h"
 #include "experiments/lab/bench_run.h"
 #include "experiments/lab/family.h"
+#include "experiments/lab/own_process.h"
 #include "experiments/lab/result_table.h"
 #include "experiments/lab/workload.h"
 #include "structures/plan.h"
@@ -59,9 +62,11 @@ struct Measured {
   std::string_view structure, scene;  // its workload
   int axes = 0, n = 0;
   bool whole = false;  // the run goes on to the end of the scene
-  int degree =
-      0;  // the highest of certificates that were asked, those of structures that are read included
-  lab::BenchRun exact = {};
+  // The highest of certificates that were asked, those of structures that are read included.
+  int degree = 0;
+  // The best run in `exact`.
+  std::uint64_t failures = 0, external = 0;
+  double build = 0, seconds = 0;
   std::string_view doubles = kNotRun;  // what they do
   double ratio = 0;                    // over doubles that report the same
 };
@@ -70,8 +75,8 @@ bool is_one_of(std::string_view name, const auto& names) {
   return std::ranges::find(names, name) != names.end();
 }
 
-double per_second(std::uint64_t count, const lab::BenchRun& run) {
-  return static_cast<double>(count) / run.seconds;
+double per_second(std::uint64_t count, const Measured& m) {
+  return static_cast<double>(count) / m.seconds;
 }
 
 std::vector<lab::BenchRow> linear_rows(const lab::BenchOptions& options) {
@@ -149,16 +154,18 @@ Measured measure(const lab::BenchRow& row, const lab::BenchOptions& options) {
   if (m.doubles == kSame) ways.push_back({.arithmetic = "double", .events = most});
   const std::vector<lab::BenchRun> best = lab::best_runs(
       scene, ways, {.count = row.rounds, .least_seconds = options.smoke ? 0 : kLeastSeconds});
-  m.exact = best[0];
+  m.failures = best[0].events;
+  m.external = best[0].external();
+  m.build = best[0].build;
+  m.seconds = best[0].seconds;
   if (m.doubles == kSame) m.ratio = best[0].seconds / best[1].seconds;
   return m;
 }
 
 void add_row(const Measured& m, lab::ResultTable& table) {
   table.row({m.structure, m.scene, m.axes, m.n, m.whole ? "whole" : "stops early", m.degree,
-             m.exact.events, m.exact.external(), m.exact.build, m.exact.seconds,
-             per_second(m.exact.events, m.exact), per_second(m.exact.external(), m.exact),
-             m.doubles, m.ratio});
+             m.failures, m.external, m.build, m.seconds, per_second(m.failures, m),
+             per_second(m.external, m), m.doubles, m.ratio});
 }
 
 std::string place(const Measured& m) {
@@ -177,11 +184,11 @@ void compare_trees(const std::vector<Measured>& rows, std::string_view triangula
   }
   if (tree == nullptr || read == nullptr) return;
   const auto per_failure = [](const Measured& m) {
-    return m.exact.seconds / static_cast<double>(m.exact.events);
+    return m.seconds / static_cast<double>(m.failures);
   };
   const std::string both =
       " of emst_cycles over that of " + std::string(triangulation) + ", n = " + std::to_string(n);
-  aims.push_back({"time" + both, 2, tree->exact.seconds / read->exact.seconds, true});
+  aims.push_back({"time" + both, 2, tree->seconds / read->seconds, true});
   aims.push_back({"time per failure" + both, 2, per_failure(*tree) / per_failure(*read), true});
 }
 
@@ -231,11 +238,11 @@ std::vector<lab::Aim> aims_of(const std::vector<Measured>& rows) {
   for (const Measured& m : rows) {
     if (m.structure == "delaunay_3" && m.scene == "uniform-square") {
       aims.push_back({"failures per second of delaunay_3, n = " + std::to_string(m.n), 100'000,
-                      per_second(m.exact.events, m.exact), false});
+                      per_second(m.failures, m), false});
     }
     if (m.structure == "closest_pair_local" && m.n == 10'000) {
       aims.push_back({"external events per second of closest_pair_local, n = 10000", 500'000,
-                      per_second(m.exact.external(), m.exact), false});
+                      per_second(m.external, m), false});
     }
   }
   compare_trees(rows, "delaunay_2", 1000, aims);
@@ -292,7 +299,7 @@ void proximity_aims(const lab::BenchOptions& options) {
          {"doubles", lab::ResultTable::kText, 19},
          {"time_over_double", 2}});
     for (const lab::BenchRow& row : linear_rows(options)) {
-      rows.push_back(measure(row, options));
+      rows.push_back(lab::in_own_process([&] { return measure(row, options); }));
       add_row(rows.back(), table);
     }
   }
