@@ -22,7 +22,8 @@
 //              (exact_arithmetic_difference_group.cpp); every result is bit for bit that of a single
 //              query.
 //   kWide    As kDouble, but the coefficients, in t, are computed exactly in 128-bit integers.
-//   kExact   Integers of any size, isolating intervals, gcds.
+//   kExact   Integers of any size, isolating intervals, gcds; before these, at instants that are short
+//            dyadic numbers, 128-bit integers (exact_arithmetic_short.cpp).
 #ifndef KINEX_CORE_ARITHMETIC_EXACT_ARITHMETIC_H
 #define KINEX_CORE_ARITHMETIC_EXACT_ARITHMETIC_H
 
