@@ -205,18 +205,26 @@ Sign ExactArithmetic::filtered_sign_after(const Query& query) {
       return *sign;
     }
   }
-  for (const Stage stage : {Stage::kDouble, Stage::kWide}) {
-    if (!approximate(query, stage, p)) continue;
-    const auto sign = p.degree < 0 ? std::optional<Sign>(Sign::kZero) : sign_over_now(p);
-    if (sign) {
-      ++counts[static_cast<int>(stage)];
-      return *sign;
-    }
+  const auto sign_by = [&](Stage stage) -> std::optional<Sign> {
+    if (!approximate(query, stage, p)) return std::nullopt;
+    return p.degree < 0 ? Sign::kZero : sign_over_now(p);
+  };
+  if (const auto sign = sign_by(Stage::kDouble)) {
+    ++counts[static_cast<int>(Stage::kDouble)];
+    return *sign;
   }
   // The certificate that has just become negative, or its opposite.
   if (const int relation = relation_to_now(query)) {
     ++counts[static_cast<int>(Stage::kDouble)];
     return relation > 0 ? Sign::kNegative : Sign::kPositive;
+  }
+  if (const auto sign = short_sign_after(query)) {
+    ++counts[static_cast<int>(Stage::kExact)];
+    return *sign;
+  }
+  if (const auto sign = sign_by(Stage::kWide)) {
+    ++counts[static_cast<int>(Stage::kWide)];
+    return *sign;
   }
   ++counts[static_cast<int>(Stage::kExact)];
   return exact_sign_after(query);
@@ -323,11 +331,17 @@ Stage ExactArithmetic::find_failure(const Query& query, double limit, FailureTim
       return Stage::kDouble;
     }
   }
-  for (const Stage stage : {Stage::kDouble, Stage::kWide}) {
-    if (const auto found = failure_in(stage, query, limit, time)) {
-      outlook = *found;
-      return stage;
-    }
+  if (const auto found = failure_in(Stage::kDouble, query, limit, time)) {
+    outlook = *found;
+    return Stage::kDouble;
+  }
+  if (const auto found = short_failure(query, time)) {
+    outlook = *found;
+    return Stage::kExact;
+  }
+  if (const auto found = failure_in(Stage::kWide, query, limit, time)) {
+    outlook = *found;
+    return Stage::kWide;
   }
   outlook = exact_failure(query, time);
   return Stage::kExact;

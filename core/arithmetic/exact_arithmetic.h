@@ -22,8 +22,8 @@
 //              (exact_arithmetic_difference_group.cpp); every result is bit for bit that of a single
 //              query.
 //   kWide    As kDouble, but the coefficients, in t, are computed exactly in 128-bit integers.
-//   kExact   Integers of any size, isolating intervals, gcds; before these, at instants that are short
-//            dyadic numbers, 128-bit integers (exact_arithmetic_short.cpp).
+//   kExact   Integers of any size, isolating intervals, gcds. At instants that are short dyadic numbers
+//            128-bit integers, before kWide (exact_arithmetic_short.cpp).
 #ifndef KINEX_CORE_ARITHMETIC_EXACT_ARITHMETIC_H
 #define KINEX_CORE_ARITHMETIC_EXACT_ARITHMETIC_H
 
@@ -326,6 +326,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   };
   Naming naming_;
   RootNamer namer_;
+  Rational short_value_;  // scratch
   RootTable roots_;
   RootCounters root_counters_;
   // The latest probes, in places by table and object: a search compares few objects with few tables.

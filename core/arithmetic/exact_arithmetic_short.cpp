@@ -105,7 +105,8 @@ bool ExactArithmetic::share_short_root(const Query& a, FailureTime& ta, const Qu
   if (!t || !is_at(a, ta) || !is_at(b, tb)) return false;
   if (ta.root == 0 && tb.root == 0) {
     ++counters_.roots_made_exact;
-    ta.root = roots_.add(t->to_rational());
+    t->assign_to(short_value_);
+    ta.root = roots_.add(short_value_);
   }
   if (ta.root == 0) ta.root = roots_.share(tb.root & ~kFlags);
   if (tb.root == 0) tb.root = roots_.share(ta.root & ~kFlags);

@@ -90,7 +90,8 @@ void ExactArithmetic::leave() {
 std::uint32_t ExactArithmetic::make_root(const Query& query, const FailureTime& time) {
   ++counters_.roots_made_exact;
   if (const auto t = shortest_dyadic(time.lo, time.hi); t && vanishes_at(query, *t)) {
-    return roots_.add(t->to_rational());
+    t->assign_to(short_value_);
+    return roots_.add(short_value_);
   }
   Polynomial p = exact_polynomial(query);
   root_counters_.max_bits = std::max<std::uint64_t>(root_counters_.max_bits, p.max_bits());
@@ -115,7 +116,6 @@ Outlook ExactArithmetic::fails_now(FailureTime& time) {
 }
 
 Sign ExactArithmetic::exact_sign_after(const Query& query) {
-  if (const auto sign = short_sign_after(query)) return *sign;
   const Polynomial p = exact_polynomial(query);
   const Sign sign =
       p.is_zero() ? Sign::kZero : kinex::sign_after(p, roots_[now_root()], root_counters_);
@@ -150,7 +150,6 @@ Sign ExactArithmetic::sign_now(const Query& query) {
 }
 
 Outlook ExactArithmetic::exact_failure(const Query& query, FailureTime& time) {
-  if (const auto outlook = short_failure(query, time)) return *outlook;
   const Polynomial p = exact_polynomial(query);
   if (p.is_zero()) return Outlook::kIdenticallyZero;
   solved_degree_ = p.degree();

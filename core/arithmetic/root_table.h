@@ -13,13 +13,31 @@
 
 namespace kinex {
 
-// Handles are small integers; 0 is none. Entries are reference counted, freed ones are reused.
-// Every function is O(1) (add: amortised).
+// Handles are small integers; 0 is none. Entries are reference counted, freed ones are reused, those of
+// rational numbers with their memory. Every function is O(1) (add: amortised).
 class RootTable {
  public:
   // A new entry with one reference.
-  std::uint32_t add(RealRoot root) { return add(std::make_unique<RealRoot>(std::move(root))); }
-  std::uint32_t add(Rational value) { return add(std::make_unique<RealRoot>(std::move(value))); }
+  std::uint32_t add(RealRoot root) {
+    const std::uint32_t handle = take();
+    Slot& slot = slots_[handle - 1];
+    if (slot.root == nullptr) {
+      slot.root = std::make_unique<RealRoot>(std::move(root));
+    } else {
+      *slot.root = std::move(root);
+    }
+    return handle;
+  }
+  std::uint32_t add(const Rational& value) {
+    const std::uint32_t handle = take();
+    Slot& slot = slots_[handle - 1];
+    if (slot.root == nullptr) {
+      slot.root = std::make_unique<RealRoot>(value);
+    } else {
+      slot.root->set(value);
+    }
+    return handle;
+  }
   // One more reference; returns the handle.
   std::uint32_t share(std::uint32_t handle) {
     if (handle != 0) ++slots_[handle - 1].references;
@@ -30,7 +48,7 @@ class RootTable {
     if (handle == 0) return;
     Slot& slot = slots_[handle - 1];
     if (--slot.references == 0) {
-      slot.root.reset();
+      if (!slot.root->is_rational()) slot.root.reset();
       free_.push_back(handle);
       --live_;
     }
@@ -41,18 +59,18 @@ class RootTable {
   std::size_t live() const { return live_; }
   std::size_t bytes() const {
     return slots_.capacity() * sizeof(Slot) + free_.capacity() * sizeof(std::uint32_t) +
-           live_ * (sizeof(RealRoot) + 128);
+           slots_.size() * (sizeof(RealRoot) + 128);
   }
 
  private:
-  std::uint32_t add(std::unique_ptr<RealRoot> root) {
+  std::uint32_t take() {
     if (free_.empty()) {
       slots_.push_back({});
       free_.push_back(static_cast<std::uint32_t>(slots_.size()));
     }
     const std::uint32_t handle = free_.back();
     free_.pop_back();
-    slots_[handle - 1] = {std::move(root), 1};
+    slots_[handle - 1].references = 1;
     ++live_;
     return handle;
   }

@@ -43,6 +43,8 @@ class RealRoot {
   Rational value() const;                                // requires is_rational()
   Sign sign_at_lower() const { return sign_at_lower_; }  // of polynomial(); kZero when rational
 
+  // Becomes this number. Needs no memory beyond that of its parts.
+  void set(const Rational& value) { become_rational(value); }
   // At least halves the interval (quadratic interval refinement: Abbott 2006).
   void refine(RootCounters& counters);
   // Refines until upper - lower <= 2^-bits.

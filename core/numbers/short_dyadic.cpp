@@ -16,9 +16,14 @@ double ShortDyadic::to_double() const {
 }
 
 Rational ShortDyadic::to_rational() const {
-  Rational result(numerator);
-  mpq_div_2exp(result.raw(), result.raw(), static_cast<mp_bitcnt_t>(places));
+  Rational result;
+  assign_to(result);
   return result;
+}
+
+void ShortDyadic::assign_to(Rational& target) const {
+  mpq_set_si(target.raw(), numerator, 1);
+  mpq_div_2exp(target.raw(), target.raw(), static_cast<mp_bitcnt_t>(places));
 }
 
 std::optional<ShortDyadic> shortest_dyadic(double lo, double hi) {

@@ -19,6 +19,7 @@ struct ShortDyadic {
   // All exact.
   double to_double() const;
   Rational to_rational() const;
+  void assign_to(Rational& target) const;  // allocates only if `target` lacks the room
 };
 
 // Of the dyadic numbers in [lo, hi] that one with the fewest places, and of several the least; nullopt

@@ -35,6 +35,17 @@ Corners sorted(Corners t) {
   return t;
 }
 
+// The point of equal power to the corners of a triangle that is not flat, and that power: the plane
+// through them, all lifted.
+using Centre = std::pair<Point, Number>;
+
+Centre centre_of(const std::vector<Weighted>& points, const Corners& t) {
+  const Weighted& corner = points[t[0]];
+  const Point centre =
+      Exact().construct_weighted_circumcenter_2_object()(corner, points[t[1]], points[t[2]]);
+  return {centre, CGAL::squared_distance(centre, corner.point()) - corner.weight()};
+}
+
 // The height of v over the plane of a triangle that is not flat, all lifted.
 Number height_over(const std::vector<Weighted>& points, const Corners& t, ObjectId v) {
   const auto lift = [&](ObjectId i) {
@@ -121,6 +132,7 @@ void Regular2::audit(const Snapshot& snapshot, AuditReport& report) const {
   }
   // Points may touch and turn back without any event: at such an instant triangles may be flat.
   bool flat = false, ties = false;
+  std::vector<Corners> upright;
   std::size_t cells = 0, common = 0;
   const bool all_points = ids.size() <= 24;
   for (Triangle t = 0; t < store_.triangle_capacity(); ++t) {
@@ -134,6 +146,7 @@ void Regular2::audit(const Snapshot& snapshot, AuditReport& report) const {
                  [&] { return named("clockwise triangle", {c[0], c[1], c[2]}); });
     flat = flat || turn == CGAL::COLLINEAR;
     if (turn != CGAL::LEFT_TURN) continue;
+    upright.push_back(c);
     area += CGAL::area(points[c[0]].point(), points[c[1]].point(), points[c[2]].point());
     const auto look_at = [&](ObjectId v) {
       if (v == c[0] || v == c[1] || v == c[2]) return;
@@ -160,9 +173,17 @@ void Regular2::audit(const Snapshot& snapshot, AuditReport& report) const {
   }
   if (flat) return;
   report.check(area == whole, [] { return std::string("the triangles do not fill the hull"); });
-  // Of points in one lifted plane the witness may make other triangles.
-  report.check(ties || (cells == theirs.size() && common == cells),
-               [] { return std::string("the triangles differ from the witness"); });
+  if (!ties) {
+    report.check(cells == theirs.size() && common == cells,
+                 [] { return std::string("the triangles differ from the witness"); });
+    return;
+  }
+  // Of points in one lifted plane the witness may make other triangles; the planes are the same.
+  std::set<Centre> ours, of_witness;
+  for (const Corners& t : upright) ours.insert(centre_of(points, t));
+  for (const Corners& t : theirs) of_witness.insert(centre_of(points, t));
+  report.check(ours == of_witness,
+               [] { return std::string("the power diagram differs from that of the witness"); });
 }
 
 }  // namespace kinex

@@ -39,6 +39,17 @@ Number volume(const std::vector<Weighted>& points, const Quad& q) {
                       points[q[3]].point());
 }
 
+// The point of equal power to the corners of an upright cell, and that power: the plane through them, all
+// lifted.
+using Centre = std::pair<Point, Number>;
+
+Centre centre_of(const std::vector<Weighted>& points, const Quad& q) {
+  const Weighted& corner = points[q[0]];
+  const Point centre = Exact().construct_weighted_circumcenter_3_object()(
+      corner, points[q[1]], points[q[2]], points[q[3]]);
+  return {centre, CGAL::squared_distance(centre, corner.point()) - corner.weight()};
+}
+
 Quad replaced(Quad quad, std::size_t place, ObjectId fresh) {
   quad[place] = fresh;
   return quad;
@@ -142,6 +153,7 @@ void Regular3::audit(const Snapshot& snapshot, AuditReport& report) const {
   }
   // Points may touch and turn back without any event: at such an instant cells may be flat.
   bool flat = false, ties = false;
+  std::vector<Quad> upright;
   std::size_t cells = 0, common = 0;
   const bool all_points = ids.size() <= 16;
   for (Cell c = 0; c < store_.cell_capacity(); ++c) {
@@ -156,6 +168,7 @@ void Regular3::audit(const Snapshot& snapshot, AuditReport& report) const {
     flat = flat || size == 0;
     if (!(size > 0)) continue;
     filled += size;
+    upright.push_back(quad);
     const auto look_at = [&](ObjectId v) {
       if (std::find(quad.begin(), quad.end(), v) != quad.end()) return;
       const auto side = CGAL::sign(height_over(points, quad, v));
@@ -182,9 +195,17 @@ void Regular3::audit(const Snapshot& snapshot, AuditReport& report) const {
   }
   if (flat) return;
   report.check(filled == whole, [] { return std::string("the cells do not fill the hull"); });
-  // Of points in one lifted plane the witness may make other cells.
-  report.check(ties || (cells == theirs.size() && common == cells),
-               [] { return std::string("the cells differ from the witness"); });
+  if (!ties) {
+    report.check(cells == theirs.size() && common == cells,
+                 [] { return std::string("the cells differ from the witness"); });
+    return;
+  }
+  // Of points in one lifted plane the witness may make other cells; the planes are the same.
+  std::set<Centre> ours, of_witness;
+  for (const Quad& quad : upright) ours.insert(centre_of(points, quad));
+  for (const Quad& quad : theirs) of_witness.insert(centre_of(points, quad));
+  report.check(ours == of_witness,
+               [] { return std::string("the power diagram differs from that of the witness"); });
 }
 
 }  // namespace kinex
