@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 
+#include "experiments/lab/scene_run.h"
 #include "structures/registry.h"
 
 namespace kinex::lab {
