@@ -41,8 +41,8 @@ struct RecordDifference {
 // with the same label), and their events, external and internal: all records except those of changes
 // (motion, insert, erase, and a rebuild that changed nothing). Two events are the same if structure,
 // kind, ids, "gone" and "came" agree; log_match.h says which of several such of one log is which of the
-// other. Where one log ends before the other, the rest of that is told apart and is no difference of
-// its own.
+// other. Where one log ends before the other, the records of the longer one after that end are counted
+// by themselves, not as differences.
 struct LogDifference {
   std::uint64_t events_a = 0, events_b = 0;  // of the structures in both
   // The first place at which the events differ, counted from 1, with both records as rows of a table

@@ -67,7 +67,7 @@ std::string listed(const std::vector<std::string>& labels) {
   return text;
 }
 
-// Every difference that is told, as lines "  missing  a.log:13:  12  0.333  1/3  sorted_list  swap  ..".
+// The differences that are shown, one line each: "  missing  a.log:13:  12  0.333  1/3  sorted_list  swap  ..".
 std::string list_of(const formats::LogDifference& difference, const DiffOptions& options) {
   struct Line {
     std::string what, place, text;

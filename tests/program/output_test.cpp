@@ -142,7 +142,7 @@ TEST_F(Output, FailedRunsLeaveNothing) {
   EXPECT_EQ(files(), before);
 }
 
-// Of a folder that cannot be made, or in which nothing can be written, the reason is told.
+// The error gives the reason why a folder cannot be made or written in.
 TEST_F(Output, FoldersOfResultsThatCannotBeMade) {
   const std::string deep = scene_ + "/deep", locked = scratch_.file("locked");
   std::filesystem::create_directory(locked);

@@ -4,8 +4,8 @@
 //   the triangulation that they read?
 // Workload: the linear rows of `speed` of three families, without those full of ties or of new plans. Rounds
 //   of both arithmetics are interleaved, three of each, of 0.7 seconds or more; the best run counts. Each
-//   row is measured in a process of its own (own_process.h): in one for all, rows grow slower with their
-//   place, by up to a half. A tree and the triangulation that it reads take turns besides, seven each.
+//   row is measured in a process of its own (own_process.h): in one for all, later rows may be
+//   slower than the same rows alone. A tree and the triangulation that it reads take turns besides, seven each.
 // Times: thread CPU time of the run, structures that are read included. That of building them at the start
 //   is a column of its own, and in no rate or ratio. Some rows stop after a number of failures: a column
 //   says so.
