@@ -80,10 +80,8 @@ PredicateId Arithmetic::bind(std::shared_ptr<const Predicate> predicate) {
   const PredicateId id = static_cast<PredicateId>(predicates_.size() - 1);
   opposite_.push_back(id);
   plain_.push_back(id);
-  const auto fails_at_touch = [this](PredicateId p) {
-    return dynamic_cast<const FailsAtTouch*>(predicates_[p].get()) != nullptr;
-  };
-  const bool touch = fails_at_touch(id);
+  const bool touch = dynamic_cast<const FailsAtTouch*>(predicates_[id].get()) != nullptr;
+  fails_at_touch_.push_back(touch);
   const std::string_view own = predicates_[id]->name();
   for (PredicateId other = id; touch && other-- > 0;) {
     if (predicates_[other]->name() != own || fails_at_touch(other)) continue;

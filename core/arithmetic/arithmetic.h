@@ -167,7 +167,9 @@ class Arithmetic {
   virtual std::string number_model() const { return name(); }
   virtual std::string polynomial_model(PredicateId id) const;
   std::size_t predicates() const { return predicates_.size(); }
-  // True if they differ at most in whether they fail at touches (touch.h).
+  // Certificates of the predicate fail at touches, too (touch.h).
+  bool fails_at_touch(PredicateId id) const { return fails_at_touch_[id]; }
+  // True if they differ at most in whether they fail at touches.
   bool have_same_value(PredicateId a, PredicateId b) const { return plain_[a] == plain_[b]; }
 
   const ArithmeticCounters& counters() const { return counters_; }
@@ -200,6 +202,7 @@ class Arithmetic {
 
  private:
   std::vector<PredicateId> opposite_;  // of every predicate; itself: none
+  std::vector<bool> fails_at_touch_;   // by predicate
   std::vector<PredicateId> plain_;     // the same polynomial without FailsAtTouch (touch.h)
 };
 

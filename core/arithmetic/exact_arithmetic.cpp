@@ -53,7 +53,7 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
     if (model.in_balls) motions_.need_balls();
   }
   model.in_lanes = model.reach_error > 0 && !model.in_balls && filter::has_lanes(model.degree);
-  model.touches = dynamic_cast<const FailsAtTouch*>(&p) != nullptr;
+  model.touches = fails_at_touch(id);
   model.form = dynamic_cast<const LinearForm*>(&p);
   if (const auto* const difference = dynamic_cast<const CoordinateDifference*>(&p)) {
     model.difference_axis = difference->difference_axis();

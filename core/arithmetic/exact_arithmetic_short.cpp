@@ -30,9 +30,9 @@ std::optional<std::array<Sign, 2>> ExactArithmetic::signs_at(const Query& query,
   const int bits = std::bit_width(static_cast<std::uint64_t>(std::max(k < 0 ? -k : k, q)));
   const int room = kBitsOfSums - model.degree * bits;  // of a coefficient
   if (room <= 0) return std::nullopt;
-  for (int i = 0; i <= model.degree; ++i) {
-    if (c[i] >> room > 0 || -c[i] >> room > 0) return std::nullopt;
-  }
+  Int128 ones = 0;
+  for (int i = 0; i <= model.degree; ++i) ones |= c[i] ^ (c[i] >> 127);
+  if (ones >> room != 0) return std::nullopt;
   Int128 sum = c[model.degree], derivative = 0, power = 1;
   for (int i = model.degree - 1; i >= 0; --i) {
     power *= q;

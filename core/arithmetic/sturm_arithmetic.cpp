@@ -123,11 +123,6 @@ class SturmArithmetic final : public Arithmetic, public SignNow {
            until_.capacity() * sizeof(std::optional<Rational>) + instants_.bytes();
   }
 
- protected:
-  void bound_predicate(PredicateId id) override {
-    touches_.push_back(dynamic_cast<const FailsAtTouch*>(predicates_[id].get()) != nullptr);
-  }
-
  private:
   // Set in FailureTime::root of a certificate that was negative when created: its polynomial need
   // not vanish at that instant.
@@ -153,7 +148,6 @@ class SturmArithmetic final : public Arithmetic, public SignNow {
   void enclose(FailureTime& time) const;
   void update_counters();
 
-  std::vector<bool> touches_;  // per predicate
   int degree_;
   std::size_t axes_;
   std::vector<Rational>
@@ -310,7 +304,7 @@ Outlook SturmArithmetic::first_failure(const Query& query, const RationalPolynom
     }
   }
   std::optional<SturmInstant> first;
-  if (touches_[query.predicate]) {
+  if (fails_at_touch(query.predicate)) {
     // Where the square-free part, made positive right after `from`, changes sign next.
     RationalPolynomial simple = sturm.square_free();
     Sign sign = simple.sign_at(from);

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/arithmetic/query_relation.h"
-#include "core/arithmetic/touch.h"
 #include "core/numbers/check.h"
 #include "core/numbers/exactly.h"
 
@@ -206,8 +205,7 @@ int EventQueue::compare_times(Entry& a, Entry& b) {
   // failure without a form of its own is no touch.
   const Predicate& predicate = arithmetic_->predicate(qa.predicate);
   if (qa.predicate == qb.predicate && query_relation(qa, qb, predicate.alternating()) > 0 &&
-      ((ca.root == 0 && cb.root == 0) ||
-       dynamic_cast<const FailsAtTouch*>(&predicate) == nullptr)) {
+      ((ca.root == 0 && cb.root == 0) || !arithmetic_->fails_at_touch(qa.predicate))) {
     return 0;
   }
   FailureTime ta{a.lo, a.hi, ca.root};

@@ -83,7 +83,7 @@ class Kernel {
   }
   // Certificates of the query's predicate fail at touches, too (core/arithmetic/touch.h).
   bool fails_at_touch(const Query& query) const {
-    return dynamic_cast<const FailsAtTouch*>(&arithmetic_->predicate(query.predicate)) != nullptr;
+    return arithmetic_->fails_at_touch(query.predicate);
   }
   // The number of signs of this predicate computed so far, for all callers together.
   std::uint64_t signs_asked(PredicateId predicate) const {
