@@ -7,6 +7,7 @@ failures; the objects that appear, one by one, and failures. Every claim holds r
 
 import json
 from fractions import Fraction
+from itertools import chain
 
 from instants import check_intervals, read_instants
 from log import Wrong
@@ -152,11 +153,7 @@ class Checker:
         replay = self.replays[r.structure.index]
         settled = r.structure.index not in self.unsettled
         if hasattr(replay, "meanings"):
-            meanings = [q for q in replay.meanings(*query) if self.world.sign_after(q, x) < 0]
-            if not meanings:
-                raise Wrong("the certificate fails along none of the directions")
-            if settled and not any(self.world.vanishes(q, x) for q in meanings):
-                self.doubt(replay, r, x, "the certificate is zero at the instant along none of the directions")
+            self.check_meanings(replay, r, x, settled)
             self.certificates += 1
             return
         sign = self.world.sign_after(query, x)
@@ -170,6 +167,18 @@ class Checker:
             self.doubt(replay, r, x, "the certificate's polynomial %s is not zero at the instant"
                        % list(self.world.polynomial(*query)))
         self.certificates += 1
+
+    def check_meanings(self, replay, r, x, settled):
+        query, is_negative = self.query(r), False
+        likely = replay.likely(*query, x) if hasattr(replay, "likely") else ()
+        for q in chain(likely, replay.meanings(*query)):
+            if self.world.sign_after(q, x) < 0:
+                if not settled or self.world.vanishes(q, x):
+                    return
+                is_negative = True
+        if not is_negative:
+            raise Wrong("the certificate fails along none of the directions")
+        self.doubt(replay, r, x, "the certificate is zero at the instant along none of the directions")
 
     def doubt(self, replay, r, x, what):
         """A certificate that is negative before the instant already: was it made only now?"""

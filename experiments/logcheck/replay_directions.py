@@ -17,6 +17,8 @@ from replay_hull import Hull
 from replay_scratch import Scratch
 from static import hull
 
+NEARLY = 1e-9  # of the largest coordinate
+
 
 @lru_cache(maxsize=None)
 def half_directions(k, dimension=2):
@@ -91,6 +93,27 @@ class Along:
                 for places in self.PLACES[len(ids)]:
                     yield extent_query(u, v, *(ids[i] for i in places))
                     yield extent_query(opposite(u), opposite(v), *(ids[i] for i in places))
+
+
+    def likely(self, name, ids, x):
+        """Those of the meanings that are nearly zero at x, as far as doubles tell: none, or some of them, or others."""
+        if name != self.NAMES.get(len(ids)):
+            return
+        half = half_directions(k_of(self.structure), self.world.scene.dimension)
+        try:
+            points = [self.world.approximate_position(i, x) for i in ids]
+            near = max(abs(c) for point in points for c in point) * NEARLY
+        except OverflowError:
+            return
+        floats = [tuple(map(float, u)) for u in half]
+        along = [[sum(w * c for w, c in zip(u, point)) for point in points] for u in floats]
+        for (i, first), (j, second) in combinations(enumerate(along), 2):
+            for places in self.PLACES[len(ids)]:
+                a, b, c, d = places
+                if abs(first[a] - first[b] - second[c] + second[d]) <= near:
+                    four = [ids[place] for place in places]
+                    yield extent_query(half[i], half[j], *four)
+                    yield extent_query(opposite(half[i]), opposite(half[j]), *four)
 
 
 class LooksAlong(Along):
@@ -199,13 +222,13 @@ class Extent(LooksAlong, Scratch):
         """The four ends of two extents, the first of which was ahead until now."""
         self.require_members(r, 4)
         half = half_directions(k_of(self.structure), self.world.scene.dimension)
-        first, second = ([u for u in half if self.are_ends(u, pair, x)] for pair in (r.ids[:2], r.ids[2:]))
+        first, second = ([i for i, u in enumerate(half) if self.are_ends(u, pair, x)] for pair in (r.ids[:2], r.ids[2:]))
         query, is_width = self.query(r), self.structure.name == "width_directions"
-        for i, u in enumerate(half):
-            for j, v in enumerate(half):
-                if i == j or u not in first or v not in second:
+        for i in first:
+            for j in second:
+                if i == j:
                     continue
-                was, now = (u, *r.ids[:2]), (v, *r.ids[2:])
+                was, now = (half[i], *r.ids[:2]), (half[j], *r.ids[2:])
                 larger, smaller = (now, was) if is_width else (was, now)
                 claim = extent_query(larger[0], smaller[0], *larger[1:], *smaller[1:])
                 if r.kind == "tie":

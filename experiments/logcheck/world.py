@@ -37,6 +37,17 @@ class World:
             points = [Extended(p, self.scene.dimension) for p in points]
         return primitive(formula_of(predicate)[0](points))
 
+    def approximate_position(self, number, x):
+        """In doubles; OverflowError where they are too small for it."""
+        piece, t = self.piece[number], x.approximate()
+        position = []
+        for p in piece.polynomials:
+            value = 0.0
+            for c in reversed(p):
+                value = value * t + c / piece.denominator
+            position.append(value)
+        return position
+
     def changes(self, predicate, ids):
         """Where the value changes its sign: (SignChanges of its normal form, +1 or -1)."""
         query = (predicate, tuple(ids))

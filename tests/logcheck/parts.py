@@ -12,6 +12,7 @@ import random
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
 from fractions import Fraction
 
@@ -27,6 +28,7 @@ import predicates  # noqa: E402
 import progress  # noqa: E402
 import roots  # noqa: E402
 from log import Wrong  # noqa: E402
+from replay_directions import Along  # noqa: E402
 from scene import Extended, Scene  # noqa: E402
 from world import World  # noqa: E402
 
@@ -93,6 +95,39 @@ class InForce(unittest.TestCase):
         self.assertEqual((world.changes("order_x", (1, 0))[0], world.changes("order_x", (1, 0))[1]), (changes, -sign))
         world.set_motion(0, world.piece[1])
         self.assertTrue(world.is_zero(query))
+
+
+class Meanings(unittest.TestCase):
+    """What a certificate between extents can mean, by doubles first."""
+    IDS = (0, 1, 2, 3)
+
+    def extents(self, unit):
+        """Four points in space whose coordinates have the size of `unit`."""
+        random.seed(5)
+        objects = [{"id": f"p{i}", "motion": [[str(unit * random.randint(-50, 50)) for _ in range(2)] for _ in range(3)]}
+                   for i in self.IDS]
+        replay = Along()
+        replay.structure = types.SimpleNamespace(name="diameter_directions", options={})
+        replay.world = World(Scene("four", json.dumps(dict(
+            SCENE, dimension=3, objects=objects, maintain=["diameter_directions"]))))
+        return replay
+
+    def test_what_fails_is_among_the_first(self):
+        for unit in (1, Fraction(1, 10 ** 300), 10 ** 200):
+            replay = self.extents(unit)
+            meanings = list(replay.meanings("order_extent", self.IDS))
+            for query in meanings[::499]:
+                for x in replay.world.changes(*query)[0].roots:
+                    likely = list(replay.likely("order_extent", self.IDS, x))
+                    self.assertIn(query, likely)
+                    self.assertLess(len(likely), 10)
+                    self.assertLessEqual(set(likely), set(meanings))
+
+    def test_where_doubles_overflow_there_are_none(self):
+        replay = self.extents(10 ** 400)
+        x = roots.Instant.rational(1)
+        self.assertEqual(list(replay.likely("order_extent", self.IDS, x)), [])
+        self.assertEqual(list(replay.likely("order_direction", (0, 1), x)), [])
 
 
 class HowFar(unittest.TestCase):
