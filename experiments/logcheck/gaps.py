@@ -3,6 +3,7 @@
 
 from fractions import Fraction
 from functools import cmp_to_key
+from math import lcm
 
 from roots import all_roots, compare
 from scene import Extended
@@ -48,6 +49,14 @@ def merged(instants):
     return result
 
 
+def whole(position, common, has_weight):
+    """All times `common`, a weight times its square."""
+    result = [c.numerator * (common // c.denominator) for c in position]
+    if has_weight:
+        result[-1] *= common
+    return result
+
+
 class Period:
     """A time during which no motion changes. `until`: None is for ever. `roots`: of the
     polynomials so far."""
@@ -70,6 +79,10 @@ class Period:
                 for x, y in zip(instants, instants[1:]) if y is None or compare(x, y) < 0]
 
     def positions_of(self, objects, t):
-        piece, dimension = self.world.piece, self.world.scene.dimension
-        return {o: Extended([piece[o].position(axis, t) for axis in range(len(piece[o].axes))], dimension)
-                for o in objects}
+        """In whole numbers, which are faster: times a positive number, but for lines, which have no unit of length."""
+        piece, scene = self.world.piece, self.world.scene
+        axes = {o: [piece[o].position(axis, t) for axis in range(len(piece[o].axes))] for o in objects}
+        if not any(scene.objects[o].line for o in objects):
+            common = lcm(*(c.denominator for position in axes.values() for c in position))
+            axes = {o: whole(position, common, scene.extents == "weight") for o, position in axes.items()}
+        return {o: Extended(position, scene.dimension) for o, position in axes.items()}

@@ -68,49 +68,63 @@ def change_in_plane(kind, ids):
 
 
 def determinant(rows):
-    if len(rows) == 1:
-        return rows[0][0]
-    return sum((-1) ** i * row[0] * determinant([other[1:] for j, other in enumerate(rows) if j != i])
-               for i, row in enumerate(rows) if row[0])
+    """Of two or three rows."""
+    if len(rows) == 2:
+        (a, b), (c, d) = rows
+        return a * d - b * c
+    (a, b, c), (d, e, f), (g, h, i) = rows
+    return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
 
 
 def sign(value):
     return (value > 0) - (value < 0)
 
 
+class Lifted:
+    """Points in the plane or in space, lifted to heights. The plane through a simplex is computed once."""
+
+    def __init__(self, positions, height):
+        self.points = {o: [*p, height(p)] for o, p in positions.items()}
+        self.planes = {}
+
+    def from_last(self, ids):
+        last = self.points[ids[-1]]
+        return [[x - y for x, y in zip(self.points[i], last)] for i in ids[:-1]]
+
+    def orientation(self, *ids):
+        return sign(determinant([row[:-1] for row in self.from_last(ids)]))
+
+    def plane(self, ids):
+        """A normal, the cofactors of another row, and its product with the points of the plane."""
+        rows = self.from_last(ids)
+        normal = [(-1) ** (len(rows) + j) * determinant([row[:j] + row[j + 1:] for row in rows])
+                  for j in range(len(ids))]
+        return normal, dot(normal, self.points[ids[-1]])
+
+    def below(self, *ids):
+        """The sign of the determinant of the first points, lifted, from the last one."""
+        simplex = ids[:-1]
+        if simplex not in self.planes:
+            self.planes[simplex] = self.plane(simplex)
+        normal, offset = self.planes[simplex]
+        return sign(offset - dot(normal, self.points[ids[-1]]))
+
+
+def dot(u, v):
+    return sum(x * y for x, y in zip(u, v))
+
+
 def regular_of(positions, size, radii):
     """Simplices of this size. Without weights they are 0; discs have the squares of their radii."""
     def height(p):
         extent = p.extents[0] if getattr(p, "extents", None) else 0
-        return sum(x * x for x in p) - (extent ** 2 if radii else extent)
+        return dot(p, p) - (extent ** 2 if radii else extent)
 
-    def from_last(ids):
-        last = positions[ids[-1]]
-        return [[x - y for x, y in zip(positions[i], last)] for i in ids[:-1]]
-
-    def orientation(*ids):
-        return sign(determinant(from_last(ids)))
-
-    def below(*ids):
-        last = positions[ids[-1]]
-        rows = []
-        for i, row in zip(ids, from_last(ids)):  # lifted, from the last one: x^2 + y^2 - 2 (x x' + y y') + ..
-            shift = sum(x * y for x, y in zip(row, last))
-            rows.append(row + [height(positions[i]) - height(last) - 2 * shift])
-        return sign(determinant(rows))
-
-    return simplices(positions, size, orientation, below)
+    lifted = Lifted(positions, height)
+    return simplices(positions, size, lifted.orientation, lifted.below)
 
 
 def cells_of(positions):
-    def from_last(*ids):
-        last = positions[ids[-1]]
-        return [[x - y for x, y in zip(positions[i], last)] for i in ids[:-1]]
-
-    def orientation(*ids):
-        return -sign(determinant(from_last(*ids)))
-
-    def in_sphere(*ids):
-        return -sign(determinant([row + [sum(x * x for x in row)] for row in from_last(*ids)]))
-
-    return cells(positions, orientation, in_sphere, lambda a, b: tuple(positions[a]) == tuple(positions[b]))
+    lifted = Lifted(positions, lambda p: dot(p, p))
+    return cells(positions, lambda *ids: -lifted.orientation(*ids), lambda *ids: -lifted.below(*ids),
+                 lambda a, b: tuple(positions[a]) == tuple(positions[b]))

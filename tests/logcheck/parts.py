@@ -20,6 +20,7 @@ import logs
 
 FOLDER = sys.argv.pop(1)
 logs.checker(FOLDER)
+import gaps  # noqa: E402
 import instants  # noqa: E402
 import labels  # noqa: E402
 import octants  # noqa: E402
@@ -128,6 +129,29 @@ class Meanings(unittest.TestCase):
         x = roots.Instant.rational(1)
         self.assertEqual(list(replay.likely("order_extent", self.IDS, x)), [])
         self.assertEqual(list(replay.likely("order_direction", (0, 1), x)), [])
+
+
+class Positions(unittest.TestCase):
+    """At a time, for level 5."""
+
+    def at_a_third(self, *objects):
+        scene = Scene("some", json.dumps(dict(
+            SCENE, dimension=2, objects=[dict(o, id=f"p{i}") for i, o in enumerate(objects)], maintain=["delaunay_2"])))
+        world = World(scene)
+        now = roots.Instant.rational(0)
+        positions = gaps.Period(world, now, None, {}).positions_of(range(len(objects)), Fraction(1, 3))
+        return [list(p) + p.extents for p in positions.values()]
+
+    def test_whole_numbers(self):
+        half = {"motion": [["1/2", 1], [0]]}
+        self.assertEqual(self.at_a_third(half, {"motion": [[1], ["1/4"]]}), [[10, 0], [12, 3]])
+        self.assertEqual(self.at_a_third(dict(half, radius=[1])), [[5, 0, 6]])
+        self.assertEqual(self.at_a_third(dict(half, weight=["1/2", "1/2"])), [[5, 0, 24]])
+
+    def test_lines_have_no_unit(self):
+        line = {"motion": [["1/2", 1], [0]], "line": True}
+        self.assertEqual(self.at_a_third(line, {"motion": [[1], ["1/4"]]}),
+                         [[Fraction(5, 6), 0], [1, Fraction(1, 4)]])
 
 
 class HowFar(unittest.TestCase):
