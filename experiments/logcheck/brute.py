@@ -16,7 +16,7 @@ from world import World
 
 MOST_OBJECTS = 12
 MOST_GAPS = 20000
-MOST_QUERIES = 4000
+MOST_QUERIES = 8000
 
 
 def check_small(checker, end):

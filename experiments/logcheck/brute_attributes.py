@@ -349,16 +349,24 @@ def walls_of(positions, scene):
     for (l, (a, b)), (m, (c, d)) in combinations(lines.items(), 2):
         if a == c:
             continue
-        x, shift = Fraction(b - d) / (c - a), Fraction(1) / (c - a)
+        up = 1 if a < c else -1
+        run, rise = up * (c - a), up * (b - d)  # the crossing is at rise / run, and heights are times run
+        plain = {h: lines[h][0] * rise + lines[h][1] * run for h in lines}
 
-        def height(h):
-            slope = lines[h][0]
-            return [slope * x + lines[h][1]] + [(o == h) + slope * shift * ((o == l) - (o == m)) for o in lines]
+        def raised(h):
+            return [(o == h) * run + lines[h][0] * up * ((o == l) - (o == m)) for o in lines]
 
-        heights = [(height(h), h) for h in lines if h not in (l, m)]
-        above = min((h for h in heights if h[0] > height(l)), default=None)
-        below = max((h for h in heights if h[0] < height(l)), default=None)
-        result += [l, m] + [l if h is None else h[1] for h in (above, below)]
+        def nearest(choose, found):
+            if not found:
+                return l
+            height = choose(plain[h] for h in found)
+            return choose((raised(h), h) for h in found if plain[h] == height)[1]
+
+        others = [h for h in lines if h not in (l, m)]
+        level = {h: raised(h) > raised(l) for h in others if plain[h] == plain[l]}
+        above = [h for h in others if plain[h] > plain[l] or level.get(h, False)]
+        below = [h for h in others if plain[h] < plain[l] or not level.get(h, True)]
+        result += [l, m, nearest(min, above), nearest(max, below)]
     return result
 
 
