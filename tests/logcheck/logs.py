@@ -14,6 +14,9 @@ POINT_FAMILIES = ["uniform-square", "uniform-disk", "gaussian", "grid", "lattice
 BODY_FAMILIES = ["polygon-orbit", "polygon-line", "polygon-fan", "polygon-jitter", "polygon-kinks",
                  "polygon-random", "polygons-in-box"]
 KEYS = ["x", "y", {"direction": [3, "-1/2"]}, {"squared_distance_to": "p0"}]
+# A point that passes another one, on a line.
+SCENE = {"kinex": 1, "name": "two", "dimension": 1, "time": {"start": 0, "end": 2},
+         "objects": [{"id": "a", "motion": [[0, 1]]}, {"id": "b", "motion": [[1]]}], "maintain": ["sorted_list"]}
 
 
 class Structures:
