@@ -38,6 +38,10 @@ class ValueNumbers {
     }
     return number;
   }
+  // Prefetches what find() reads first.
+  void prefetch(const Value& value) const {
+    if (!first_.empty()) __builtin_prefetch(first_.data() + bucket(value), 1);
+  }
   // Numbers a value that is not there.
   Item add(const Value& value) {
     if (size_ == first_.size()) grow();

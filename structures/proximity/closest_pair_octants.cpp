@@ -20,6 +20,12 @@ void ClosestPairOctants::read_all() {
   begin();
 }
 
+// A candidate comes or goes, probably.
+void ClosestPairOctants::pointer_changed(ObjectId point, ObjectId old, ObjectId fresh) {
+  pairs_.prefetch({std::min(point, old), std::max(point, old)});
+  pairs_.prefetch({std::min(point, fresh), std::max(point, fresh)});
+}
+
 // A candidate has come or gone.
 void ClosestPairOctants::pair_changed(const Pair& pair, bool is_there) {
   if (is_there) {

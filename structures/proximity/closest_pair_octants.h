@@ -47,6 +47,7 @@ class ClosestPairOctants final : public FrontPair<PairDistances>, public ConeWat
   // A failure of the octants brings several events: their pairs come and go together.
   void instant_settled() override { pairs_.apply(tied()); }
   void watched_changed(const Event* event) override;
+  void pointer_changed(ObjectId point, ObjectId old, ObjectId fresh) override;
   void pair_changed(const Pair& pair, bool is_there) override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;

@@ -11,6 +11,8 @@
 namespace kinex {
 namespace {
 
+constexpr std::size_t kFewChanges = 16;
+
 ConeNeighbours::Pair ascending(ObjectId a, ObjectId b) {
   return {std::min(a, b), std::max(a, b)};
 }
@@ -71,12 +73,19 @@ bool ConeNeighbours::has(const Pair& pair) const {
   return false;
 }
 
-// As has(), before these changes.
+// As has(), before these changes: a pointer that is among them was the old one, any other one is as it is
+// now.
 bool ConeNeighbours::had(std::span<const Change> changes, const Pair& pair) const {
+  for (const Change& c : changes) {
+    if (!frame().counts(c.cone) || c.old == kNoObject) continue;
+    if (ascending(c.point, c.old) == pair) return true;
+  }
   for (std::size_t cone = 0; cone < frame().cones(); ++cone) {
     if (!frame().counts(cone)) continue;
-    if (next_before(changes, cone, pair[0]) == pair[1]) return true;
-    if (next_before(changes, cone, pair[1]) == pair[0]) return true;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const ObjectId from = pair[i], to = pair[1 - i];
+      if (next(cone, from) == to && next_before(changes, cone, from) == to) return true;
+    }
   }
   return false;
 }
@@ -86,13 +95,25 @@ bool ConeNeighbours::had(std::span<const Change> changes, const Pair& pair) cons
 void ConeNeighbours::note(std::size_t cone, ObjectId p, ObjectId old) {
   changes_.push_back({p, static_cast<std::uint32_t>(cone), old});
   pointer_changed(cone, p);
-  for (ConeWatcher* const watcher : watchers_) watcher->pointer_changed(p, old, next(cone, p));
+  const ObjectId fresh = next(cone, p);
+  woods_.prefetch(old);
+  woods_.prefetch(fresh);
+  for (ConeWatcher* const watcher : watchers_) watcher->pointer_changed(p, old, fresh);
 }
 
 void ConeNeighbours::sort_out(std::vector<Change>& changes) {
   const auto key = [](const Change& c) { return std::pair(c.point, c.cone); };
-  std::stable_sort(changes.begin(), changes.end(),
-                   [&](const Change& a, const Change& b) { return key(a) < key(b); });
+  const auto before = [&](const Change& a, const Change& b) { return key(a) < key(b); };
+  if (changes.size() <= kFewChanges) {  // of a failure: std::stable_sort would ask for memory
+    for (std::size_t i = 1; i < changes.size(); ++i) {
+      const Change one = changes[i];
+      std::size_t at = i;
+      for (; at > 0 && before(one, changes[at - 1]); --at) changes[at] = changes[at - 1];
+      changes[at] = one;
+    }
+  } else {
+    std::stable_sort(changes.begin(), changes.end(), before);
+  }
   const auto end = std::unique(changes.begin(), changes.end(),
                                [&](const Change& a, const Change& b) { return key(a) == key(b); });
   changes.erase(end, changes.end());

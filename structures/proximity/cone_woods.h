@@ -33,6 +33,10 @@ class ConeWoods {
   ObjectId next(std::size_t cone, ObjectId p) const {
     return woods_[cone / SchnyderWood::kColours].next(cone % SchnyderWood::kColours, p);
   }
+  // Prefetches what next() reads of the point. No effect on results.
+  void prefetch(ObjectId p) const {
+    for (const SchnyderWood& wood : woods_) wood.prefetch_next(p);
+  }
   std::size_t size() const { return woods_.size(); }
   SchnyderWood& wood(std::size_t i) { return woods_[i]; }
   const SchnyderWood& wood(std::size_t i) const { return woods_[i]; }

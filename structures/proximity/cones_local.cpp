@@ -17,7 +17,6 @@ ConesLocal::ConesLocal(Kernel& kernel, StructureId id, const Scene& scene, const
       name_(name),
       slots_(kernel, id, "pointers"),
       certificates_(frame.cones() * scene.objects.size() * kClaims, kNoCertificate),
-      failed_at_(frame.woods.size(), 0),
       is_alone_(frame.woods.size(), false),
       stale_(frame.woods.size(), false) {
   for (const ConeFrame::Vector& direction : frame.axes) orders_.emplace_back(kernel, direction);
@@ -60,7 +59,7 @@ bool ConesLocal::is_right(const Claim& c) const {
 }
 
 // The claims of a pointer as they are now, in place of what was claimed of it.
-void ConesLocal::certify(std::size_t cone, ObjectId p) {
+void ConesLocal::certify(std::size_t cone, ObjectId p, bool points_elsewhere) {
   for (std::size_t which = 0; which < kClaims; ++which) {
     const Claim c{cone, p, which};
     CertificateId& slot = slot_of(c);
@@ -68,7 +67,7 @@ void ConesLocal::certify(std::size_t cone, ObjectId p) {
       slots_.drop(slot);
       continue;
     }
-    if (is_right(c)) continue;
+    if (!points_elsewhere && is_right(c)) continue;
     const auto [order, before, after] = compared(c);
     const Outlook outlook = slots_.set(slot, order->by_first_key(before, after), tag(c));
     if (outlook != Outlook::kIdenticallyZero) continue;
@@ -76,17 +75,19 @@ void ConesLocal::certify(std::size_t cone, ObjectId p) {
   }
 }
 
-void ConesLocal::certify_changed() {
+// point_elsewhere: than where their certificates say.
+void ConesLocal::certify_changed(bool point_elsewhere) {
   std::sort(changed_.begin(), changed_.end());
   changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
-  for (const auto& [cone, p] : changed_) {
-    for (std::size_t which = 0; which < kClaims; ++which) {
-      const CertificateId slot = slot_of({cone, p, which});
-      if (slot != kNoCertificate) kernel().prefetch(slot);
-    }
-  }
-  for (const auto& [cone, p] : changed_) certify(cone, p);
+  for (const auto& [cone, p] : changed_) certify(cone, p, point_elsewhere);
   changed_.clear();
+}
+
+void ConesLocal::pointer_changed(std::size_t cone, ObjectId p) {
+  changed_.emplace_back(cone, p);
+  for (std::size_t which = 0; which < kClaims; ++which) {
+    kernel().prefetch(slot_of({cone, p, which}));
+  }
 }
 
 // ---- the woods
@@ -111,7 +112,7 @@ void ConesLocal::make_stale_woods() {
     }
   }
   stale_.assign(stale_.size(), false);
-  certify_changed();
+  certify_changed(false);
 }
 
 void ConesLocal::make_woods() {
@@ -142,28 +143,74 @@ void ConesLocal::erase(ObjectId object) {
   make_woods();
 }
 
-// The only failure of a wood at an instant is a swap of two neighbours of an order. Of several, and
-// of two points that meet, some swaps would leave two points ordered as no points of the plane can
-// be.
+// What the repair of a failure of two points of a wood reads, where there are many points.
+// (An empty asm statement keeps compilers from dropping the call: prefetches are no effect to them.)
+void ConesLocal::prefetch_points(std::size_t wood, std::span<const ObjectId> points) const {
+  asm volatile("");
+  for (const ObjectId p : points) {
+    woods().wood(wood).prefetch(p);
+    woods().prefetch(p);
+    __builtin_prefetch(certificates_.data() + p * frame().cones() * kClaims, 1);
+  }
+  kernel().prefetch(id(), points);
+}
+
+void ConesLocal::prefetch_next() const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const CertificateId later = kernel().upcoming(id(), i);
+    if (later == kNoCertificate) continue;
+    const Query query = kernel().query(later);
+    const std::size_t cone = claim(kernel().tag(later)).cone;
+    prefetch_points(cone / SchnyderWood::kColours, std::span(query.ids).first(2));
+  }
+}
+
+// One of a pair that is identically level changes its place by the second key: it is level with whatever
+// else changes its place there.
+bool ConesLocal::is_independent(const Exchange& one, const Exchange& other) const {
+  for (const ObjectId p : {other.before, other.after}) {
+    if (p == one.before || p == one.after) return false;
+  }
+  if (one.order != other.order) return true;
+  const TurnedOrder& order = orders_[frame().woods[one.wood][one.order].axis];
+  return kernel().tells_sign_now() &&
+         kernel().sign(order.by_first_key(one.before, other.before), When::kNow) != Sign::kZero;
+}
+
+bool ConesLocal::is_independent(const Exchange& one) const {
+  return std::all_of(exchanges_.begin(), exchanges_.end(), [&](const Exchange& other) {
+    return other.wood != one.wood || is_independent(one, other);
+  });
+}
+
+// Failures that are not independent, and two points that meet: some swaps would leave two points ordered
+// as no points of the plane can be.
 void ConesLocal::certificate_failed(CertificateId failed) {
   const Claim c = claim(slots_.failed(failed));
   const std::size_t i = c.cone / SchnyderWood::kColours;
   const ObjectId p = c.point, q = next(c.cone, p);
   kernel().report(id(), kOrder, {q, p}, false);
-  SchnyderWood& wood = woods().wood(i);
+  prefetch_next();
   const std::uint64_t instant = kernel().instant_number();
-  const bool again = failed_at_[i] == instant;
-  failed_at_[i] = instant;
+  if (instant != instant_) exchanges_.clear();
+  instant_ = instant;
+  const Exchange exchange{i, order_of(c), q, p};
+  const bool again = std::any_of(exchanges_.begin(), exchanges_.end(),
+                                 [&](const Exchange& other) { return other.wood == i; });
   if (again && is_alone_[i]) --alone_;
   is_alone_[i] = false;
-  if (stale_[i] || again || wood.swap(order_of(c), q, p) != SchnyderWood::Swap::kDone) {
+  if (stale_[i] || !is_independent(exchange) ||
+      woods().wood(i).swap(exchange.order, q, p) != SchnyderWood::Swap::kDone) {
     slots_.drop(slot_of(c));
     stale_[i] = true;
     return kernel().settle_later(id());
   }
-  is_alone_[i] = true;
-  ++alone_;
-  certify_changed();
+  exchanges_.push_back(exchange);
+  if (!again) {
+    is_alone_[i] = true;
+    ++alone_;
+  }
+  certify_changed(true);  // a swap changes no pointer two times
   repaired();
 }
 

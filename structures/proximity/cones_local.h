@@ -21,9 +21,14 @@
 // changes, where no two of a wood share an instant: each changes two pointers by the swap rule, from just
 // before to just after, and a pointer follows the lower envelope of n - 1 segments. Failures that share
 // an instant may change fewer pointers; they are not counted in that bound.
-// Two or more failures of a wood at an instant, new flight plans, insertions and erasures make a wood from
-// sorted points when the instant is settled: O(n log n) signs, and the certificates of the pointers
-// that have changed. The bound `remade` counts these woods, but for insertions and erasures.
+// Several failures of a wood at an instant are repaired one after the other while no two of them share a
+// point, and those in one order are at different places of it. Otherwise, and with new flight plans,
+// insertions and erasures, a wood is made from sorted points when the instant is settled: O(n log n)
+// signs, and the certificates of the pointers that have changed. The bound `remade` counts these woods,
+// but for insertions and erasures.
+// Why one after the other: the swap of p and q compares no points but with p or q, and of other points
+// changes only pointers to q. So it neither reads what another such swap changes nor changes its pointer;
+// and in one order points that are not level are moved independently.
 //
 // Ties. See cone_neighbours.h, which has the attribute and the events, too.
 //
@@ -101,9 +106,19 @@ class ConesLocal final : public ConeNeighbours {
   CertificateId& slot_of(const Claim& c) {
     return certificates_[(c.point * frame().cones() + c.cone) * kClaims + c.which];
   }
-  void pointer_changed(std::size_t cone, ObjectId p) override { changed_.emplace_back(cone, p); }
-  void certify(std::size_t cone, ObjectId p);
-  void certify_changed();
+  void pointer_changed(std::size_t cone, ObjectId p) override;
+  // Two points that change places in an order of a wood.
+  struct Exchange {
+    std::size_t wood, order;
+    ObjectId before, after;
+  };
+  bool is_independent(const Exchange& one, const Exchange& other) const;
+  // Of all of the wood at this instant, by now.
+  bool is_independent(const Exchange& one) const;
+  void certify(std::size_t cone, ObjectId p, bool points_elsewhere);
+  void certify_changed(bool point_elsewhere);
+  void prefetch_points(std::size_t wood, std::span<const ObjectId> points) const;
+  void prefetch_next() const;
   void make_woods();
   void make_stale_woods();
 
@@ -113,9 +128,10 @@ class ConesLocal final : public ConeNeighbours {
   std::vector<ObjectId> members_;                          // ascending
   std::vector<CertificateId> certificates_;                // by point, cone and claim
   std::vector<std::pair<std::size_t, ObjectId>> changed_;  // pointers to be certified
-  // By wood: the number of the last instant at which it failed, whether that failure is the only one of the wood
-  // at that instant, by now, and whether the wood is to be made when the instant is settled.
-  std::vector<std::uint64_t> failed_at_;
+  std::uint64_t instant_ = 0;        // the number of the last one with a failure
+  std::vector<Exchange> exchanges_;  // its failures, but for woods that are to be made
+  // By wood: whether its failure at that instant is the only one, by now, and whether the wood is to be made
+  // when the instant is settled.
   std::vector<bool> is_alone_, stale_;
   std::uint64_t alone_ = 0;   // failures that are the only ones of a wood at their instants
   std::uint64_t remade_ = 0;  // woods that were, at the end of an instant

@@ -254,6 +254,42 @@ TEST(Octants, WoodsMadeAnewAreCounted) {
   EXPECT_EQ(remade(turning, "octants_local"), Integer(4));
 }
 
+// Pairs of neighbours pass each other at t = 1, each along one axis. No wood is made anew for several of
+// them, unless two share a point or are level with each other.
+TEST(Octants, SeveralPairsAtOneInstant) {
+  const auto along_x = [](int x, int y, int dx) {
+    return std::pair(path({{x - dx, dx}, {y}}), path({{x}, {y + 2}}));
+  };
+  const auto along_y = [](int x, int y, int dy) {
+    return std::pair(path({{x}, {y - dy, dy}}), path({{x + 2}, {y}}));
+  };
+  const auto scene = [](const std::vector<std::pair<Trajectory, Trajectory>>& pairs) {
+    std::vector<Trajectory> t;
+    for (const auto& [a, b] : pairs) {
+      t.push_back(a);
+      t.push_back(b);
+    }
+    return scene_of(t, 0, Rational(Integer(5), Integer(4)));
+  };
+  const auto pointers = [](const Scene& s) {
+    return of_kind(TwinRun(s, octants()).ledger(), "point");
+  };
+  const Scene other_orders = scene({along_x(0, 0, 1), along_y(100, 37, 1), along_y(300, 1000, -1)});
+  const Scene other_places = scene({along_x(0, 0, 1), along_x(100, 37, 1), along_x(300, 1000, -1)});
+  const Scene level = scene({along_x(0, 0, 1), along_x(0, 1000, -1)});
+  const Scene shared =
+      scene_of({path({{-1, 1}, {0}}), path({{0}, {2}}), path({{1, -1}, {3}}), path({{40}, {90}})},
+               0, Rational(Integer(5), Integer(4)));
+  for (const Scene* one : {&other_orders, &other_places}) {
+    EXPECT_GT(pointers(*one), 0u);
+    EXPECT_EQ(remade(*one, "octants_local"), Integer(0));
+  }
+  for (const Scene* one : {&level, &shared}) {
+    EXPECT_GT(pointers(*one), 0u);
+    EXPECT_GT(remade(*one, "octants_local"), Integer(0));
+  }
+}
+
 TEST(Octants, NoPointToThree) {
   for (int n = 0; n <= 3; ++n) {
     SCOPED_TRACE(n);
