@@ -15,6 +15,7 @@ from fractions import Fraction
 from math import lcm
 
 import polynomials as poly
+from counted import count
 from gaps import high_end, merged, rational_between
 from log import Wrong
 from roots import Instant, SignChanges, all_roots, compare
@@ -171,7 +172,8 @@ def check_bodies(checker, instants):
     story, gaps = Story(scene, end).tell()
     for s in structures:
         compare_stories(checker, s, story, instants)
-    checker.done[5] = "%d gaps between instants, %d contacts, grazes and separations" % (gaps, len(story))
+    kinds = "contact, graze or separation" if len(story) == 1 else "contacts, grazes and separations"
+    checker.done[5] = "%s between instants, %d %s" % (count(gaps, "gap"), len(story), kinds)
     checker.partly.update({s.label: "internal events" for s in structures})
 
 

@@ -8,6 +8,7 @@ attribute is computed from positions and compared with the attribute that the lo
 
 from brute_attributes import attribute_of
 from brute_queries import queries_of
+from counted import count
 from gaps import Period
 from log import Wrong
 from roots import Instant, compare
@@ -80,7 +81,7 @@ def check_small(checker, end):
     if len(untouched) == len(followed):
         checker.undone[5] = "not for " + not_judged
     else:
-        checker.done[5] = "%d gaps between instants" % gaps + ("; not for " + not_judged if not_judged else "")
+        checker.done[5] = count(gaps, "gap") + " between instants" + ("; not for " + not_judged if not_judged else "")
 
 
 def shown(scene, attribute):

@@ -9,6 +9,7 @@ import json
 from fractions import Fraction
 from itertools import chain
 
+from counted import count
 from instants import check_intervals, read_instants
 from log import Wrong
 from predicates import LEAST_AXES, Key, formula_of, known
@@ -39,7 +40,7 @@ class Checker:
 
     def run(self):
         log = self.log
-        self.done[0] = "%d records" % len(log.records)
+        self.done[0] = count(len(log.records), "record")
         if self.scene is not None:
             self.check_scene()
         if not log.exact:
@@ -429,10 +430,6 @@ class Checker:
             from brute import check_small
 
             check_small(self, end)
-
-
-def count(n, noun):
-    return "%d %s%s" % (n, noun, "" if n == 1 else "s")
 
 
 __all__ = ["Checker", "BadInput"]

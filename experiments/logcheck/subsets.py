@@ -22,7 +22,7 @@ def sets_of(tree, scene):
         result.append(("of", of["colours"][0] if len(of["colours"]) == 1 else of))
     elif of is not None:
         result.append(("of", of))
-    if tree.get("query", scene.ids[0] if scene.ids else None) not in scene.ids[:1]:
+    if "query" in tree and tree["query"] not in scene.ids[:1]:
         result.append(("query", tree["query"]))
     if "colours" in tree:
         result.append(("colours", tree["colours"]))

@@ -254,6 +254,7 @@ class CommandLine(unittest.TestCase):
         code, text = self.run_it()
         self.assertEqual(code, 0, text)
         self.assertEqual(text.count("  done  "), 6, text)
+        self.assertIn(": 1 record\n", text)
         code, text = self.run_it("--json", "--levels", "0-2")
         self.assertEqual([level["done"] for level in json.loads(text)["levels"]], [True] * 3)
 
@@ -393,6 +394,12 @@ class CommandLine(unittest.TestCase):
         self.write()
         self.log.write_text("".join(self.log.read_text().splitlines(True)[:-1]))
         self.assertIn("it was cut; run the scene again (kinex run SCENE --events LOG); kinex log shows", self.run_it()[1])
+
+    def test_a_scene_without_objects(self):
+        def hash_of(*maintain):
+            return Scene("x", json.dumps(dict(SCENE, objects=[], maintain=maintain))).hash
+
+        self.assertEqual(hash_of({"structure": "sorted_list"}), hash_of("sorted_list"))
 
     def test_a_scene_of_two_objects_with_one_id(self):
         self.write()
