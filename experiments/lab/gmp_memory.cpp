@@ -57,11 +57,23 @@ struct ThreadState {
 };
 thread_local ThreadState state;
 thread_local LimbCells limb_cells;
+// An allocation has thrown. Functions note the size of the new block before they ask for it, so a number
+// that was being written may say that its cell is larger than a cell.
+std::atomic<bool> has_thrown{false};
 
 void give_back(const Block& block) {
   if (block.memory == nullptr) return;
-  if (block.size <= kCell) return limb_cells.give_back(block.memory);
+  if (block.size <= kCell || (has_thrown.load(std::memory_order_relaxed) && kCell > 0 &&
+                              LimbCells::is_cell(block.memory))) {
+    return limb_cells.give_back(block.memory);
+  }
   std::free(block.memory);
+}
+
+// To be called before an allocation throws.
+void leave_to_owner() {
+  state.freed = {};
+  has_thrown.store(true, std::memory_order_relaxed);
 }
 
 [[noreturn]] void give_up() {
@@ -72,7 +84,7 @@ void give_back(const Block& block) {
 
 [[noreturn]] void no_memory(bool small) {
   if (state.guards == 0 || small) give_up();
-  state.freed = {};
+  leave_to_owner();
   throw std::bad_alloc();
 }
 
@@ -85,7 +97,7 @@ void look_at_deadline(std::size_t size) {
       state.deadline->poll();
     }
   } catch (...) {
-    state.freed = {};
+    leave_to_owner();
     throw;
   }
 }

@@ -6,8 +6,8 @@
 // allocations leak, which is little if the program ends soon after. One case would be unsafe: some
 // functions free the memory of the result just before they allocate a larger block, and would leave
 // it dangling. Therefore freed memory is released only with the next successful allocation; if that
-// throws, the memory stays with its owner. The values of numbers that were being written are then
-// unspecified; such numbers may only be destroyed.
+// throws, the memory stays with its owner. The values and the sizes of numbers that were being written
+// are then unspecified; such numbers may only be destroyed.
 #ifndef KINEX_EXPERIMENTS_LAB_GMP_MEMORY_H
 #define KINEX_EXPERIMENTS_LAB_GMP_MEMORY_H
 

@@ -31,6 +31,8 @@ class LimbCells {
     return free_ != nullptr ? take() : static_cast<void*>(fresh_++);
   }
   void give_back(void* cell) { free_ = new (cell) Slot{free_}; }
+  // Whether it is a cell, of whatever thread. O(blocks), with a lock.
+  static bool is_cell(const void* memory);
 
  private:
   union Slot {
