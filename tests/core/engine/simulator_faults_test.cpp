@@ -135,6 +135,11 @@ TEST(Simulator, NothingMayReferToAnErasedObject) {
   Fixture<Clinging> f(scene);
   f.simulator.schedule_erasure(Rational(1), 1);
   EXPECT_THROW(f.simulator.run_until(std::nullopt), std::logic_error);
+  Fixture<Clinging> g(scene, {}, "double");
+  g.simulator.schedule_erasure(Rational(1), 1);
+  EXPECT_EQ(g.simulator.run_until(std::nullopt), RunStatus::kDone);
+  EXPECT_EQ(g.ledger().corruption, "it kept a certificate of an erased object (at t = 1)");
+  EXPECT_EQ(g.ledger().live, 0u);
 }
 
 // ---- audits find violations
