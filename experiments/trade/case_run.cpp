@@ -36,12 +36,21 @@ SimulatorOptions simulator_options(const TradeOptions& options, std::uint64_t ma
   return result;
 }
 
+// The structure whose states are compared, and the objects that it is built from.
+struct Asked {
+  explicit Asked(const Scene& scene)
+      : id(asked_structure(scene)), members(plan_structures(scene)[id].members) {}
+
+  StructureId id;
+  std::vector<bool> members;  // as in the plan
+};
+
 // Compares the state right now with an independent exact computation at t; the violation, or empty.
-std::string audit_at(const Simulator& simulator, const Rational& t) {
+std::string audit_at(const Simulator& simulator, const Asked& asked, const Rational& t) {
   AuditReport report;
-  const Structure& structure = simulator.structure(asked_structure(simulator.scene()));
+  const Structure& structure = simulator.structure(asked.id);
   structure.check_invariants(report);
-  structure.audit(simulator.snapshot(t), report);
+  structure.audit(simulator.snapshot(t).of(asked.members), report);
   return report.violations.empty() ? "" : report.violations.front();
 }
 
@@ -62,7 +71,8 @@ void note_wrong(TradeRun& run, const Rational& time, const std::string& what) {
 bool run_with_checkpoints(Simulator& simulator, const std::vector<Rational>& checkpoints,
                           std::uint64_t max_events, TradeRun& run) {
   run.checkpoints = static_cast<int>(checkpoints.size()) + 1;
-  const StructureLedger& ledger = simulator.ledger(asked_structure(simulator.scene()));
+  const Asked asked(simulator.scene());
+  const StructureLedger& ledger = simulator.ledger(asked.id);
   RunStatus status = RunStatus::kDone;
   simulator.start();
   for (const Rational& t : checkpoints) {
@@ -71,7 +81,7 @@ bool run_with_checkpoints(Simulator& simulator, const std::vector<Rational>& che
       note_wrong(run, t, "");
       break;
     }
-    const std::string violation = audit_at(simulator, t);
+    const std::string violation = audit_at(simulator, asked, t);
     run.valid += violation.empty() ? 1 : 0;
     if (!violation.empty()) note_wrong(run, t, violation);
   }

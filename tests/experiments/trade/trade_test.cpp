@@ -51,6 +51,15 @@ trade::CaseResult run(const trade::TradeCase& one, std::vector<std::string> arit
   return trade::run_case(one, options).value();
 }
 
+// A scene as text, which maintains one structure.
+trade::TradeCase given_case(const std::string& scene) {
+  trade::TradeCase one;
+  one.given = std::make_shared<Scene>(formats::parse_scene(scene, "given"));
+  one.structure = one.given->maintain.at(0).structure;
+  one.name = "given";
+  return one;
+}
+
 trade::CaseResult nearly() {
   return run(make_case("sorted_list", "near-one-point", 10, 1), {"sturm", "gsl", "mpfr:100"});
 }
@@ -128,19 +137,45 @@ TEST(TradeCase, WrongAtTheEndIsSeen) {
 }
 
 TEST(TradeCase, SceneWithoutEndGetsOne) {
-  trade::TradeCase one;
-  one.structure = "sorted_list";
-  one.name = "given";
-  one.given = std::make_shared<Scene>(formats::parse_scene(
+  const trade::TradeCase one = given_case(
       R"({"kinex": 1, "dimension": 1, "time": {"start": 0}, "objects": [
           {"id": "a", "motion": [[0, 1]]}, {"id": "b", "motion": [["7/2"]]},
-          {"id": "c", "motion": [["11/2"]]}], "maintain": ["sorted_list"]})",
-      "given"));
+          {"id": "c", "motion": [["11/2"]]}], "maintain": ["sorted_list"]})");
   const trade::CaseResult result = run(one, {"sturm"});
   EXPECT_EQ(result.events, 2u);
   EXPECT_EQ(result.run_in("double")->standing(), trade::Standing::kSame);
   EXPECT_TRUE(result.run_in("sturm")->valid_at_end);
   EXPECT_EQ(result.bits.most, 5);  // the end is 6: log2(6 / (1/2)), and one more
+}
+
+// States are audited on the objects that a structure is built from: those of "of", or lines beside points.
+TEST(TradeCase, AuditsTheObjectsOfTheStructureAlone) {
+  std::vector<std::string> scenes;
+  for (const char* of : {R"("red")", R"(["a", "b"])", R"({"all_but": ["c"]})"}) {
+    scenes.push_back(R"({"kinex": 1, "dimension": 2, "time": {"start": 0, "end": 4}, "objects": [
+        {"id": "a", "colour": "red", "motion": [[0, 1], [0]]},
+        {"id": "b", "colour": "red", "motion": [[1], [1]]},
+        {"id": "c", "motion": [[0], ["1/2"]]}], "maintain": [
+        {"structure": "closest_pair_all", "of": )" +
+                     std::string(of) + "}]}");
+  }
+  for (const char* structure : {"line_arrangement_2", "trapezoids_2"}) {
+    scenes.push_back(R"({"kinex": 1, "dimension": 2, "time": {"start": 0, "end": 4}, "objects": [
+        {"id": "l", "line": true, "motion": [[0, 1], [1]]},
+        {"id": "m", "line": true, "motion": [[-1], [0, 1]]},
+        {"id": "n", "line": true, "motion": [[1], [2]]},
+        {"id": "p", "motion": [[2], [6]]}], "maintain": [")" +
+                     std::string(structure) + R"("]})");
+  }
+  for (const std::string& scene : scenes) {
+    SCOPED_TRACE(scene);
+    const trade::CaseResult result = run(given_case(scene), {"sturm"});
+    EXPECT_TRUE(result.faults().empty());
+    for (const char* name : {"exact", "sturm"}) {
+      EXPECT_EQ(result.run_in(name)->standing(), trade::Standing::kSame) << name;
+      EXPECT_EQ(result.run_in(name)->valid, result.run_in(name)->checkpoints) << name;
+    }
+  }
 }
 
 TEST(TradeCase, SaysThatTheExactRunGaveUp) {
