@@ -65,7 +65,7 @@ void add_thin_verb(CLI::App& app, int&) {
             "Name the points that are left, on standard error");
   verb->footer(
       "The guarantee is a theorem, made in exact arithmetic; the width has none.\n"
-      "Points that the scene's keys refer to are kept.\n"
+      "Points that keys, queries and \"of\" of \"maintain\" name are kept.\n"
       "Example:\n  kinex thin square.json --error 1/50 -o thin.json");
   verb->callback([options, verb] { thin_scene(*options, voice_of(*verb)); });
 }

@@ -123,10 +123,11 @@ int directions_for(const Rational& error) {
   return k;
 }
 
-// The objects that requests name, apart from "of": of keys, and queries (the first one by default).
+// The objects that requests name: in keys, in "of", and as queries (the first one by default).
 void for_each_object(std::vector<Request>& requests, const auto& visit) {
   for (Request& request : requests) {
     if (request.key.kind == Key::Kind::kSquaredDistance) visit(request.key.object);
+    for (ObjectId& object : request.of.objects) visit(object);
     const StructureInfo* const info = find_structure_info(request.structure);
     if (info != nullptr && info->query) {
       if (request.query == kNoObject) request.query = 0;
@@ -217,13 +218,6 @@ Scene only_objects(const Scene& scene, std::vector<ObjectId> objects) {
                                  objects.begin());
   };
   for_each_object(result.maintain, [&](ObjectId& object) { object = place(object); });
-  for (Request& request : result.maintain) {
-    std::vector<ObjectId>& named = request.of.objects;
-    std::erase_if(named, [&objects](ObjectId object) {
-      return !std::binary_search(objects.begin(), objects.end(), object);
-    });
-    for (ObjectId& object : named) object = place(object);
-  }
   return result;
 }
 

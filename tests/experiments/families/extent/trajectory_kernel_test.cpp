@@ -251,5 +251,20 @@ TEST(TrajectoryKernel, KeepsWhatKeysReferTo) {
   EXPECT_EQ(thin.maintain[0].key.object, 1u);
 }
 
+TEST(TrajectoryKernel, KeepsWhatSubsetsName) {
+  Scene scene = random_lines(3, 20, 9);
+  Request some{"diameter_2", "some", {}}, others{"diameter_2", "others", {}};
+  some.of = {Subset::Kind::kObjects, {3, 11, 17}};
+  others.of = {Subset::Kind::kAllBut, {5}};
+  scene.maintain = {some, others};
+  const Scene thin = only_objects(scene, {2, 11, 12});
+  std::vector<std::string> ids, expected;
+  for (const SceneObject& object : thin.objects) ids.push_back(object.id);
+  for (const std::size_t kept : {2, 3, 5, 11, 12, 17}) expected.push_back(scene.objects[kept].id);
+  EXPECT_EQ(ids, expected);
+  EXPECT_EQ(thin.maintain[0].of.objects, (std::vector<ObjectId>{1, 3, 5}));
+  EXPECT_EQ(thin.maintain[1].of.objects, std::vector<ObjectId>{2});
+}
+
 }  // namespace trajectory_kernel_test
 }  // namespace kinex::families
