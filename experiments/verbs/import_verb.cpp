@@ -14,11 +14,13 @@
 #include "experiments/formats/counted.h"
 #include "experiments/formats/csv_columns.h"
 #include "experiments/formats/csv_import.h"
+#include "experiments/formats/event_log.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/moving_features.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
+#include "experiments/lab/colours.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/structure_for.h"
 #include "experiments/verbs/verbs.h"
@@ -135,6 +137,7 @@ formats::ImportReport import_json(const std::string& text, const ImportVerbOptio
 void maintain_all(Scene& scene, const std::vector<std::string>& maintain) {
   try {
     formats::set_maintain(scene, maintain);
+    lab::name_colours(scene);
   } catch (const formats::InputError& error) {
     if (scene.end || !error.problem().ends_with("the scene has no end")) throw;
     const std::size_t others = error.remedy().find(", or maintain");
@@ -153,6 +156,11 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
         formats::parse_polygons(formats::read_text_file(*options.polygons), *options.polygons);
   }
   const std::string text = formats::read_text_file(options.file);
+  if (text.starts_with("{\"format\": \"" + std::string(formats::kLogFormat) + "\"")) {
+    throw formats::InputError(
+        options.file, "line 1", "this is an event log, neither a table nor GeoJSON",
+        "give the data that its scene was made from; kinex check, log and view read logs");
+  }
   formats::ImportReport report = formats::looks_like_json(text)
                                      ? import_json(text, options, import_options)
                                      : import_table(text, options, import_options);

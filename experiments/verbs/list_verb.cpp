@@ -203,7 +203,8 @@ void add_list_verb(CLI::App& app, int&) {
   markdown->excludes(json);
   schema->excludes(json)->excludes(markdown)->excludes(family);
   add_voice(*verb, "Print the names alone, one a line",
-            "Print a second line for each: parts, axes, options, promise");
+            "Print a second line for each: of structures family and group, of workloads axes and "
+            "options, of papers parts, of arithmetics the promise");
   verb->footer("kinex explain NAME says more of each.\nExample:\n  kinex list structures");
   verb->callback([options, verb] { list(*options, voice_of(*verb)); });
 }

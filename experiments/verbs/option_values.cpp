@@ -110,7 +110,7 @@ void add_maintain_option(CLI::App& verb, std::vector<std::string>& entries, cons
   verb.add_option("--maintain", entries,
                   std::string(what) +
                       ": NAME, NAME:AXIS or a JSON object as in scenes, with commas between them; "
-                      "kinex list structures has the names")
+                      "can be given several times; kinex list structures has the names")
       ->allow_extra_args(false);
 }
 

@@ -380,7 +380,7 @@ void add_cell(CLI::App& sweep, int& exit_code) {
   verb->add_option("--megabytes", options->limits.megabytes, "Limit of memory (none)");
   verb->add_option("--parent", options->parent, "End with this process")->group("");
   verb->footer(
-      "Exit codes: 1 a bound or an audit failed; 2 the cell was refused; 3 a limit was reached.\n"
+      "Exit codes: 1 a bound or an audit failed; 2 the cell was refused; 3 a limit was\nreached.\n"
       "Example:\n  kinex sweep cell '{\"structure\": \"" +
       example_structure(2) + "\",\n    \"workload\": \"uniform-square\", \"n\": 50}'");
   verb->callback([options, verb, &exit_code] {

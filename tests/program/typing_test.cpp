@@ -161,6 +161,8 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
        "features.json: these are features, not a scene; kinex import "},
       {{"run", scratch_.file("a.log")},
        "a.log: line 1: this is an event log, not a scene; give the scene"},
+      {{"import", scratch_.file("a.log")},
+       "a.log: line 1: this is an event log, neither a table nor GeoJSON; give the data"},
       {{"roots", scratch_.file("line")}, "line 1: 1 coefficient for degree 2; write 3"}};
   write_file(scratch_.file("line"), "2 1\n");
   write_file(scratch_.file("table.csv"), "id,t,x\na,0,1\n");
