@@ -377,7 +377,8 @@ void add_run_verb(CLI::App& app, int& exit_code) {
   add_list_option(*verb, "--at", options->at,
                   "Sample the attributes right after these times: T, ..");
   verb->add_option("--query", options->query,
-                   "The points in this closed box, X1,X2,Y1,Y2, right after the times of --at")
+                   "The points in this closed box, X1,X2,Y1,Y2, right after the times of --at; can be "
+                   "given several times")
       ->allow_extra_args(false);
   verb->add_option("--audit", options->audit, "end (default), events (after every one) or none");
   verb->add_flag("--json", options->json, "Print the summary, as --summary - does");
