@@ -31,7 +31,7 @@ DelaunayGraph triangulation(const MakerInput& in) { return DelaunayGraph::of(*in
 
 std::optional<Refusal> endless(const Scene& scene) {
   if (scene.end) return std::nullopt;
-  return Refusal{"keeps points in a grid over all that they pass, the scene has no end",
+  return Refusal{"keeps points in a grid over all that they pass, and the scene has no end",
                  "give it an \"end\" in its file, which --until does not replace, or maintain "
                  "closest_pair_all"};
 }
@@ -39,7 +39,7 @@ std::optional<Refusal> endless(const Scene& scene) {
 std::optional<Refusal> endless_discs(const Scene& scene) {
   if (scene.end) return std::nullopt;
   return Refusal{
-      "keeps discs in a grid over all that they pass, the scene has no end",
+      "keeps discs in a grid over all that they pass, and the scene has no end",
       "give it an \"end\" in its file, which --until does not replace, or maintain disc_pairs_all"};
 }
 
@@ -79,9 +79,11 @@ std::vector<StructureInfo> cones() {
   StructureInfo listed = base;
   listed.name = "octants_listed";
   listed.summary = "the points that are next in four octants of each other, by four sorted lists";
-  constexpr KindRule point{"point", Effect::kSometimes, "another point is next in an octant"};
+  constexpr KindRule point{"point", Effect::kSometimes, "another point is next in a cone"};
   listed.kinds = {point, {"order", Effect::kNever, "two neighbours of a list change places"}};
-  listed.certificates = "4(n - 1), one for each two neighbours by x, y, x + y and x - y";
+  listed.certificates =
+      "4(n - 1), one for each two neighbours by x, y, x + y and x - y; a wood is the next points in "
+      "three cones, as three of these orders tell them";
   listed.source = "Basch, Guibas, Hershberger, Data structures for mobile data (1997)";
   listed.make = make_plain<OctantsListed>;
 
@@ -93,7 +95,8 @@ std::vector<StructureInfo> cones() {
   local.kinds = {point,
                  {"order", Effect::kNever, "a point leaves a cone in which it was the next one"}};
   local.certificates =
-      "at most 12n, two for each point and cone with a next point: it is in the cone";
+      "at most 12n, two for each point and cone with a next point: it is in the cone; a wood is the "
+      "next points in three cones, as three orders of the points tell them";
   local.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
   local.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
     return std::make_unique<ConesLocal>(in.kernel, in.id, in.scene, octant_frame(), in.info().name);
@@ -113,7 +116,8 @@ std::vector<StructureInfo> cones() {
                          .most = "20",
                          .step = "8"}};
   polygon.certificates =
-      "at most 3cn for c corners, two for each point and cone with a next point: it is in the cone";
+      "at most 3cn for c corners, two for each point and cone with a next point: it is in the cone; "
+      "a wood is the next points in three cones, as three orders of the points tell them";
   polygon.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
     const auto corners = static_cast<int>(in.parameter(kCorners).numerator().to_int64());
     return std::make_unique<ConesLocal>(in.kernel, in.id, in.scene, polygon_frame(corners),
