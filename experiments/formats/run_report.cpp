@@ -153,6 +153,11 @@ std::string describe_results(const Simulator& simulator, const RunOutcome& outco
               (bound.holds ? " holds" : " DOES NOT HOLD") + "\n";
     }
   }
+  return text + describe_samples(simulator, outcome) + last_line(simulator, outcome);
+}
+
+std::string describe_samples(const Simulator& simulator, const RunOutcome& outcome) {
+  std::string text;
   for (const Sample& sample : outcome.samples) {
     for (StructureId id = 0; id < simulator.structures(); ++id) {
       std::string value;
@@ -162,7 +167,7 @@ std::string describe_results(const Simulator& simulator, const RunOutcome& outco
     }
     for (const BoxAnswer& query : sample.queries) text += answer_lines(sample, query, simulator);
   }
-  return text + last_line(simulator, outcome);
+  return text;
 }
 
 std::vector<std::string> failures_of(const Simulator& simulator, const RunOutcome& outcome) {

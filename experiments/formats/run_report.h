@@ -14,6 +14,10 @@ namespace kinex::formats {
 // of structures that exist only to be read, and the seconds.
 std::string describe_results(const Simulator& simulator, const RunOutcome& outcome);
 
+// The attributes at the times that were asked for, and the answers to queries: a line each. They are in the text
+// above, too.
+std::string describe_samples(const Simulator& simulator, const RunOutcome& outcome);
+
 // Failures: violated bounds, corruption, violations found by audits; each once.
 std::vector<std::string> failures_of(const Simulator& simulator, const RunOutcome& outcome);
 

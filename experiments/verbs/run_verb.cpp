@@ -279,13 +279,15 @@ void run(const RunOptions& options, const Voice& voice, int& exit_code) {
     }
   };
   // For people: on standard error where standard output has the log or the summary.
-  const auto report = [&](const std::string& text) {
-    if (voice.quiet) return;
+  const auto tell = [&](const std::string& text) {
     if (json || options.events == "-") {
       std::fputs(text.c_str(), stderr);
     } else {
       print_or_keep(text);
     }
+  };
+  const auto report = [&](const std::string& text) {
+    if (!voice.quiet) tell(text);
   };
   formats::RunOutcome outcome;
   std::unique_ptr<Simulator> simulator;
@@ -338,6 +340,8 @@ void run(const RunOptions& options, const Voice& voice, int& exit_code) {
     if (json) print_or_keep(summary);
   }
   report(formats::describe_results(*simulator, outcome));
+  // A summary that is printed has them.
+  if (voice.quiet && !json) tell(formats::describe_samples(*simulator, outcome));
   if (outcome.status != RunStatus::kDone) {
     voice.error(stopping_text(options, outcome, *simulator));
     exit_code = kExitGaveUp;
@@ -394,7 +398,7 @@ void add_run_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--max-seconds", options->max_seconds,
                    "Give up after this time, reading included (no limit)");
   verb->add_flag("--force", options->force, "Replace output files that exist");
-  add_voice(*verb, "Print no report: what --json, --events - and errors say alone",
+  add_voice(*verb, "Print no report: what --at, --query, --json, --events - and errors say alone",
             "Print the model in detail, as --explain does, before the run");
   verb->footer("Structures (kinex list structures, kinex explain NAME):\n" +
                lab::structure_names_by_family() +

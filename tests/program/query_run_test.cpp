@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace kinex {
 namespace query_run_test {
 
 using testing::HasSubstr;
+using testing::StartsWith;
+using Words = std::vector<std::string>;
 
 // a = (t, 1), b = (2, 3 - t), 0 <= t <= 4.
 std::string scene_text(const std::string& maintain, const std::string& queries) {
@@ -36,6 +39,35 @@ TEST(QueryRun, Answers) {
   EXPECT_THAT(read_file(summary),
               HasSubstr(R"("queries": [{"box": [["-1", "2"], ["1", "2"]], "rank_kd_tree_2": )"
                         R"({"ids": ["a", "b"], "nodes": 3, "signs": )"));
+}
+
+// Samples are results that were asked for: only the report around them is left out.
+TEST(QueryRun, AnswersStayWhenQuiet) {
+  ScratchFolder scratch;
+  const std::string scene = scratch.file("scene.json"), summary = scratch.file("summary.json");
+  write_file(scene, scene_text(R"("rank_kd_tree_2")", ""));
+  const Words asked{"run", scene, "--at", "1,2", "--query", "-1,2,1,2", "-q"};
+  const auto with = [&asked](const Words& more) {
+    Words all = asked;
+    all.insert(all.end(), more.begin(), more.end());
+    return run_kinex(all);
+  };
+  const Finished quiet = with({});
+  EXPECT_EQ(quiet.exit_code, 0);
+  EXPECT_EQ(quiet.err, "");
+  EXPECT_THAT(quiet.out, StartsWith("at 1  rank_kd_tree_2"));
+  EXPECT_THAT(quiet.out, HasSubstr("\nat 1  rank_kd_tree_2 in [-1, 2] x [1, 2]: [\"a\", \"b\"] by "));
+  EXPECT_THAT(quiet.out, HasSubstr("\nat 2  rank_kd_tree_2 "));
+  EXPECT_EQ(std::count(quiet.out.begin(), quiet.out.end(), '\n'), 8) << quiet.out;
+  EXPECT_THAT(run_kinex({"run", scene, "--at", "1,2", "--query", "-1,2,1,2"}).out, HasSubstr(quiet.out));
+  EXPECT_EQ(with({"--summary", summary}).out, quiet.out);
+  // The printed summary has them; beside the log they are on standard error.
+  const Finished json = with({"--json"});
+  EXPECT_THAT(json.out, StartsWith("{"));
+  EXPECT_EQ(json.err, "");
+  const Finished log = with({"--events", "-"});
+  EXPECT_THAT(log.out, StartsWith("{"));
+  EXPECT_EQ(log.err, quiet.out);
 }
 
 TEST(QueryRun, BadQueriesAreRefused) {
