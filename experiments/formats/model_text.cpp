@@ -16,7 +16,7 @@ namespace kinex::formats {
 
 namespace {
 
-constexpr std::size_t kShownDigits = 30;
+constexpr std::size_t kShownDigits = 30, kShownOptions = 120;
 
 // Changes of the objects within the scene's time.
 struct PlanCounts {
@@ -36,8 +36,12 @@ PlanCounts count_plans(const Scene& scene) {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const bool joined = i > 0 && *pieces[i - 1].to == *pieces[i].from;
       const bool goes_on = i + 1 < pieces.size() && *pieces[i].to == *pieces[i + 1].from;
+      const bool jumps = joined && scene.jumps &&
+                         !pieces[i].trajectory.meets(pieces[i - 1].trajectory, *pieces[i].from,
+                                                     scene.has_bodies());
       if (pieces[i].from && within(*pieces[i].from, scene)) {
-        ++(joined ? counts.updates : counts.insertions);
+        ++(joined && !jumps ? counts.updates : counts.insertions);
+        if (jumps) ++counts.erasures;  // it leaves, and comes again
       }
       // A piece that ends with the scene does not end within it.
       const bool ends = pieces[i].to && (!scene.end || *pieces[i].to < *scene.end);
@@ -53,6 +57,14 @@ std::string short_number(const Rational& value) {
   return "about " + decimal(value, 6);
 }
 
+// Cut between two characters.
+std::string beginning(const std::string& text) {
+  if (text.size() <= kShownOptions) return text;
+  std::size_t size = kShownOptions;
+  while ((static_cast<unsigned char>(text[size]) & 0xc0u) == 0x80u) --size;
+  return text.substr(0, size) + " ..";
+}
+
 std::string maintained(const Scene& scene) {
   std::string text;
   for (const Request& request : scene.maintain) {
@@ -60,6 +72,8 @@ std::string maintained(const Scene& scene) {
     text += request.structure;
     const StructureInfo* info = find_structure_info(request.structure);
     if (info != nullptr && info->uses_key) text += " by " + key_json(request.key, scene);
+    const std::string options = options_json(request, scene);
+    if (!options.empty()) text += " " + beginning(options);
     if (request.label != request.structure) text += " as \"" + request.label + "\"";
   }
   return text.empty() ? "nothing" : text;

@@ -5,12 +5,16 @@ namespace kinex::lab {
 
 const std::vector<ArithmeticInfo>& arithmetic_infos() {
   static const std::vector<ArithmeticInfo> kInfos{
-      {"exact", "floating-point filters, then exact rationals and Sturm sequences (the default)",
-       "every sign, every failure time's order and every equality of instants is exact",
-       "results; it is the reference for all others", "exact"},
+      {"exact",
+       "doubles with proven error bounds, then 128-bit integers, then integers of any size (the "
+       "default)",
+       "every sign, every failure time's order and every equality of instants is exact", "results",
+       "exact"},
       {"sturm", "rationals and Sturm sequences alone, without filters",
-       "the answers of exact, slowly: the two logs of a scene are equal",
-       "checking exact against a second way to the same answers, on small scenes", "sturm"},
+       "the answers of exact, slowly: the two logs of a scene have the same records and digest",
+       "checking exact against a second way to the same answers, on small scenes: it is the "
+       "reference",
+       "sturm"},
       {"double", "the algorithms of the filters in plain doubles, without error bounds",
        "none: a carefully written floating-point structure",
        "finding out whether doubles would do for a scene", "double"},

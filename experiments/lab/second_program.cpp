@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "core/numbers/stop.h"
 #include "experiments/formats/event_log.h"
@@ -36,14 +37,29 @@ std::string found_program() {
   return !error && fs::exists(here, error) ? here.string() : kName;
 }
 
+// The program of a folder, which python3 runs as it is.
+constexpr const char* kPythonMain = "__main__.py";
+
+bool is_folder(const std::string& path) {
+  std::error_code error;
+  return path.find('/') != path.npos && fs::is_directory(path, error);
+}
+
 // Of a path; a name is looked for among programs.
 bool is_runnable(const std::string& program) {
   return program.find('/') == program.npos || access(program.c_str(), X_OK) == 0;
 }
 
-// True if there is such a file: at this path, or in PATH.
+// As in kinex-logcheck.
+std::string python_program() {
+  const char* given = std::getenv("PYTHON");
+  return given == nullptr || *given == '\0' ? "python3" : given;
+}
+
+// True if there is such a program: at this path, or in PATH.
 bool is_there(const std::string& program) {
   std::error_code error;
+  if (is_folder(program)) return fs::exists(fs::path(program) / kPythonMain, error);
   if (program.find('/') != program.npos) return fs::exists(program, error);
   const char* path = std::getenv("PATH");
   std::string folders = path == nullptr ? "" : path;
@@ -163,8 +179,14 @@ CheckedBy SecondProgram::check(const RunKey& run) const {
     checked.message = "interrupted";
     return checked;
   }
-  const HelperEnd end = run_helper(
-      path_, {log_path.string(), "--scene", scene_path.string(), "--json"}, out, err, go_on);
+  std::string program = path_;
+  std::vector<std::string> arguments{log_path.string(), "--scene", scene_path.string(), "--json"};
+  if (is_folder(path_) && is_there(path_)) {
+    program = python_program();
+    // -B: none of Python's own files is left there.
+    arguments.insert(arguments.begin(), {"-B", path_});
+  }
+  const HelperEnd end = run_helper(program, arguments, out, err, go_on);
   switch (end.how) {
     case HelperEnd::How::kNotFound:
       checked.message = !is_there(path_)      ? name_ + " was not found"

@@ -14,7 +14,7 @@ namespace kinex::lab {
 
 class SecondProgram {
  public:
-  // `path`: the program; empty: the one beside this program, or else in PATH. `go_on` and
+  // `path`: the program, or a folder with a __main__.py, which python3 runs; empty: the one beside this program, or else in PATH. `go_on` and
   // `interrupt` as in run_record.
   SecondProgram(std::string path, std::function<bool()> go_on, const std::atomic<bool>* interrupt);
 

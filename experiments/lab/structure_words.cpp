@@ -41,6 +41,15 @@ std::string members_of(const StructureInfo& info) {
   return text;
 }
 
+// Another structure than the usual one has the role.
+bool has_other(const Reading& reading) {
+  const std::vector<StructureInfo>& all = structure_infos();
+  return !reading.role.empty() &&
+         std::any_of(all.begin(), all.end(), [&](const StructureInfo& info) {
+           return info.role == reading.role && info.name != reading.structure;
+         });
+}
+
 // "`delaunay_2`, in space `delaunay_3`"
 std::string read_by(const StructureInfo& info) {
   std::string text;
@@ -50,7 +59,7 @@ std::string read_by(const StructureInfo& info) {
     const std::string in_space = usual_structure(reading, 3);
     if (info.any_dimension && in_space != reading.structure)
       one += ", in space " + in_code(in_space);
-    if (!reading.role.empty()) one += " or another with the role " + std::string(reading.role);
+    if (has_other(reading)) one += " or another with the role " + std::string(reading.role);
     add_with_comma(text, one);
   }
   if (!info.shares.structure.empty()) {
@@ -92,7 +101,7 @@ std::string attribute_in_words(const StructureInfo& info) {
 std::string domain_in_words(const StructureInfo& info) {
   std::string text = info.bodies                             ? "rigid convex polygons"
                      : info.extents == Extents::kRadius      ? "discs"
-                     : info.extents == Extents::kHalfExtents ? "boxes, discs"
+                     : info.extents == Extents::kHalfExtents ? "boxes or discs"
                      : info.lines == LineUse::kAlone         ? "lines"
                      : info.lines == LineUse::kWithPoints    ? "lines and points"
                      : info.graph                            ? "edges of graphs"

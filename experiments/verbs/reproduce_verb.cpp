@@ -100,8 +100,10 @@ void tell(const reproduce::ReproducedPart& done) {
 void reproduce(ReproduceOptions options, int& exit_code) {
   check_jobs(options);
   if (!options.logcheck.empty() && !lab::SecondProgram(options.logcheck, {}, nullptr).exists()) {
-    throw formats::InputError("--logcheck", "", "there is no program " + show_text(options.logcheck),
-                              "write its path, or its name if it is in PATH, without arguments");
+    throw formats::InputError(
+        "--logcheck", "", "there is no program " + show_text(options.logcheck),
+        "write its path, or its name if it is in PATH, without arguments, or the path of a folder "
+        "with a __main__.py");
   }
   const lab::Paper& paper = reproduce::paper_named(options.paper);
   const std::vector<const lab::PaperPart*> parts = reproduce::parts_named(paper, options.parts);

@@ -25,6 +25,7 @@
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
 #include "experiments/formats/summary.h"
+#include "experiments/lab/colours.h"
 #include "experiments/lab/gmp_memory.h"
 #include "experiments/lab/machine.h"
 #include "experiments/lab/progress.h"
@@ -244,7 +245,10 @@ void run(const RunOptions& options, const Voice& voice, int& exit_code) {
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     simulator_options.max_seconds = std::max(options.max_seconds - taken.count(), kNoSeconds);
   }
-  if (!options.maintain.empty()) formats::set_maintain(scene, options.maintain);
+  if (!options.maintain.empty()) {
+    formats::set_maintain(scene, options.maintain);
+    lab::name_colours(scene);
+  }
   if (scene.maintain.empty()) {
     throw formats::InputError(options.scene, "/maintain", "nothing is to be maintained",
                      "fill \"maintain\" in the scene, or give --maintain");

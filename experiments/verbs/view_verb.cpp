@@ -16,6 +16,7 @@
 #include "experiments/formats/model_text.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
+#include "experiments/lab/colours.h"
 #include "experiments/lab/progress.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
@@ -109,6 +110,7 @@ void set_structures(Viewed& viewed, const ViewOptions& options, const std::strin
   }
   if (!options.maintain.empty()) {
     formats::set_maintain(viewed.scene, options.maintain);
+    lab::name_colours(viewed.scene);
     if (log && !formats::maintains_as_logged(viewed.scene, *log)) {
       throw formats::InputError("--maintain", "",
                                 first->file + " is a log of " + formats::structures_of(*log),

@@ -173,7 +173,7 @@ std::vector<StructureInfo> norm_trees() {
               "the order of all pairs of its cones",
               "at most cn/2 - 1 for c corners, one for each two neighbours in the list of the "
               "pairs of a point and the next one in a cone; those of the cones besides; "
-              "12 corners, or 20 by \"over\": {\"structure\": \"cones_local\", \"corners\": 20}",
+              "12 corners, or 20 where \"over\" names cones_local with \"corners\": 20",
               TreeProof::kList, make_cone_tree<TreeProof::kList>},
           TreeTexts{
               "mst_polygon_cycles",
@@ -181,7 +181,7 @@ std::vector<StructureInfo> norm_trees() {
               "every pair outside it against those of its cycle",
               "at most ((c/2 - 1)n + 1)(n - 1) for c corners: every pair of a cone outside the "
               "tree is the longest of its cycle; those of the cones besides; "
-              "12 corners, or 20 by \"over\": {\"structure\": \"cones_local\", \"corners\": 20}",
+              "12 corners, or 20 where \"over\" names cones_local with \"corners\": 20",
               TreeProof::kCycles, make_cone_tree<TreeProof::kCycles>},
           TreeTexts{
               "mst_polygon_clusters",
@@ -190,7 +190,7 @@ std::vector<StructureInfo> norm_trees() {
               "at most 3cn + n (log2 n + 1) + nk + 2k^2 for c corners and k clusters: three a "
               "pair of a cone, and the longest edges of paths in and between clusters; those of "
               "the cones besides; "
-              "12 corners, or 20 by \"over\": {\"structure\": \"cones_local\", \"corners\": 20}",
+              "12 corners, or 20 where \"over\" names cones_local with \"corners\": 20",
               TreeProof::kClusters, make_cone_tree<TreeProof::kClusters>}});
   result.insert(result.end(), polygon.begin(), polygon.end());
   return result;

@@ -96,6 +96,30 @@ TEST_F(Program, RunWritesLogAndSummary) {
   }
 }
 
+// The report says of which objects a structure is, and an object that jumps leaves and comes again.
+TEST_F(Program, TheReportSaysWhatIsMaintained) {
+  const std::string scene = scratch_.file("jump.json");
+  write_file(
+      scene,
+      R"({"kinex": 1, "name": "j", "dimension": 2, "time": {"start": 0, "end": 4}, "jumps": true,
+ "objects": [
+  {"id": "a", "colour": "red", "motion": [{"to": 2, "coordinates": [[0], [0]]},
+                                          {"from": 2, "coordinates": [[9], [0]]}]},
+  {"id": "b", "colour": "red", "motion": [[1], [1]]},
+  {"id": "c", "colour": "blue", "motion": [[2], [1, 1]]},
+  {"id": "d", "colour": "blue", "motion": [[3], [7]]}],
+ "maintain": [{"structure": "closest_pair_all", "of": "red", "as": "mine"}]})");
+  const Finished given = run_kinex({"run", scene});
+  EXPECT_EQ(given.exit_code, 0) << given.err;
+  EXPECT_THAT(given.out, HasSubstr("maintain  closest_pair_all {\"of\": \"red\"} as \"mine\"\n"));
+  EXPECT_THAT(given.out, HasSubstr("plan      0 changes, 1 insertion, 1 erasure\n"));
+  // As kinex gen --maintain does: the two colours of the scene.
+  const Finished two = run_kinex({"run", scene, "--maintain", "bichromatic_pair_all", "--at", "1"});
+  EXPECT_THAT(two.out,
+              HasSubstr("maintain  bichromatic_pair_all {\"colours\": [\"red\", \"blue\"]}\n"));
+  EXPECT_THAT(two.out, HasSubstr("[[\"b\", \"c\"]]"));
+}
+
 TEST_F(Program, StandardOutputIsJsonWhenAskedFor) {
   for (const std::vector<std::string>& option :
        {std::vector<std::string>{"--json"}, std::vector<std::string>{"--summary", "-"}}) {

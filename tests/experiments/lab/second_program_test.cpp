@@ -113,6 +113,22 @@ TEST_F(ASecondProgram, MayNotBeThere) {
   EXPECT_EQ(check(stub("exit 0")).finding, Finding::kNotChecked);  // nothing is said to be done
 }
 
+// A folder that python3 runs, as that of the sources.
+TEST_F(ASecondProgram, MayBeAFolderOfPython) {
+  const std::string folder = file("checker");
+  fs::create_directory(folder);
+  EXPECT_FALSE(lab::SecondProgram(folder, kGoOn, nullptr).exists());
+  EXPECT_EQ(check(folder).verdict(), "not checked: " + folder + " was not found");
+  std::ofstream(folder + "/__main__.py") << "import sys\nsys.exit(' '.join(sys.argv[2:3]))\n";
+  EXPECT_TRUE(lab::SecondProgram(folder, kGoOn, nullptr).exists());
+  EXPECT_EQ(check(folder).verdict(), "refused: --scene");
+  ::setenv("PYTHON", "no-such-python", 1);
+  EXPECT_EQ(check(folder).verdict(), "not checked: python3 was not found");
+  ::unsetenv("PYTHON");
+  const lab::CheckedBy real = check(KINEX_SOURCE_DIR "/experiments/logcheck");
+  EXPECT_EQ(real.finding, Finding::kFine) << real.text();
+}
+
 TEST_F(ASecondProgram, IsStoppedAtOnce) {
   const auto began = std::chrono::steady_clock::now();
   const auto seconds = [&] {
