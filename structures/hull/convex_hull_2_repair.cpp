@@ -97,7 +97,11 @@ void ConvexHull2::finish_instant() {
     mend();
     work_off();
   }
-  if (exact_ && kernel_->failure_is_due()) return;
+  if (exact_ && kernel_->failure_is_due()) {
+    // After one of its own it is called again; after one of another structure it has to ask for it.
+    if (kernel_->upcoming(id_, 0) == kNoCertificate) kernel_->settle_later(id_);
+    return;
+  }
   spent_ = 0;
   if (root_changes_ == 0) return;
   if (!settle_one_vertex()) events_.settle(hull_cycle());

@@ -89,6 +89,41 @@ TEST(ConvexHull2Degenerate, FlightPlans) {
   }
 }
 
+// At t = 1 a point enters the hull of four points, and leaves it at t = 3; at t = 1 a structure of two other
+// points has a failure that comes with a new flight plan, too.
+TEST(ConvexHull2Degenerate, AnotherStructureFailsAtTheInstant) {
+  Scene scene = scene_of({path({{0}, {0}}), path({{4}, {0}}), path({{2}, {3}}),
+                          path({{2}, {9, -12, 3}}), path({{9}, {0}}), path({{9}, {1}})},
+                         Rational(Integer(4), Integer(5)), Rational(Integer(16), Integer(5)));
+  scene.objects[4].motion.pieces = {{std::nullopt, Rational(1), path({{9}, {0}})},
+                                    {Rational(1), std::nullopt, path({{8, 1}, {0}})}};
+  Request list;
+  list.structure = list.label = "sorted_list";
+  list.of = {Subset::Kind::kObjects, {4, 5}, {}};
+  for (const char* hull : {"convex_hull_2", "convex_hull_2_naive", "convex_hull_2_brute_force",
+                           "convex_hull_2_delaunay"}) {
+    SCOPED_TRACE(hull);
+    Request request;
+    request.structure = request.label = hull;
+    request.of = {Subset::Kind::kObjects, {0, 1, 2, 3}, {}};
+    scene.maintain = {request, list};
+    for (const char* arithmetic : {"exact", "sturm"}) {
+      SimulatorOptions options;
+      options.audit = AuditLevel::kEvents;
+      Simulator simulator(scene, planned_arithmetic(arithmetic, scene), options);
+      add_structures(simulator, scene);
+      simulator.start();
+      simulator.run_until(std::nullopt);
+      EXPECT_EQ(simulator.violations(), std::vector<std::string>{}) << arithmetic;
+      std::uint64_t external = 0;
+      for (StructureId id = 0; id < simulator.structures(); ++id) {
+        if (simulator.label(id) == hull) external = simulator.ledger(id).external;
+      }
+      EXPECT_EQ(external, 2u) << arithmetic;
+    }
+  }
+}
+
 TEST(ConvexHull2Degenerate, PointsComeAndGo) {
   for (std::uint64_t seed = 1; seed <= test::fewer(25u); ++seed) {
     SCOPED_TRACE(seed);
