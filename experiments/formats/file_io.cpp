@@ -107,6 +107,21 @@ bool cut_after_last_line(const std::string& path) {
   return !error;
 }
 
+// The number of an open file of a process that the path is a link to: "1" for /dev/stdout. Empty: none.
+std::string open_file(fs::path path) {
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    const fs::path folder =
+        fs::canonical(path.has_parent_path() ? path.parent_path() : fs::path("."), error);
+    if (error) break;
+    const std::string name = folder.string();
+    if (name.starts_with("/proc/") && name.ends_with("/fd")) return path.filename().string();
+    path = folder / fs::read_symlink(path, error);
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string read_file_bytes(const std::string& path) {
@@ -144,7 +159,8 @@ std::string read_text_file(const std::string& path) {
 
 OutputFile::OutputFile(std::string path, bool force, Unfinished unfinished)
     : path_(std::move(path)), force_(force), unfinished_(unfinished) {
-  if (path_ == "-") {
+  const std::string open = path_ == "-" ? "1" : open_file(path_);
+  if (open == "1") {
     standard_output_ = true;
     path_ = "standard output";
     file_ = std::tmpfile();
@@ -157,15 +173,22 @@ OutputFile::OutputFile(std::string path, bool force, Unfinished unfinished)
     throw InputError(path_, "", "cannot be written: it is a directory", "give a file name");
   }
   const bool exists = fs::exists(status);
-  const bool direct = exists && !fs::is_regular_file(status);
+  const bool direct = exists && (!fs::is_regular_file(status) || !open.empty());
   if (exists && !direct && !force_) refuse_existing(path_);
   if (!exists && !force_ && fs::is_symlink(fs::symlink_status(path_, error))) {
     throw InputError(path_, "",
                      "cannot be written: it is a symbolic link to a file that is missing",
                      "give another name, or --force to replace the link");
   }
-  if (!direct) leftovers_ = partial_files(path_);
-  if (!direct) temporary_ = path_ + ".partial-" + std::to_string(::getpid());
+  target_ = path_;
+  if (exists && !direct) {
+    // What a link leads to is replaced, and the link stays.
+    if (fs::is_symlink(fs::symlink_status(path_, error)))
+      target_ = fs::canonical(path_, error).string();
+    permissions_ = static_cast<unsigned>(status.permissions());
+  }
+  if (!direct) leftovers_ = partial_files(target_);
+  if (!direct) temporary_ = target_ + ".partial-" + std::to_string(::getpid());
   file_ = std::fopen((direct ? path_ : temporary_).c_str(), "wb");
   if (file_ == nullptr) fail(std::strerror(errno));
 }
@@ -209,7 +232,7 @@ std::string OutputFile::keep_lines() {
   }
   if (file_ != nullptr) std::fclose(std::exchange(file_, nullptr));
   if (temporary_.empty() || !cut_after_last_line(temporary_)) return "";
-  std::string name = path_ + ".partial";
+  std::string name = target_ + ".partial";
   if (::link(temporary_.c_str(), name.c_str()) == 0) {
     std::remove(temporary_.c_str());
   } else {
@@ -235,7 +258,8 @@ void OutputFile::commit() {
   if (temporary_.empty()) return;
   if (!force_) {
     // Unlike renaming, a hard link never replaces a file that has appeared meanwhile.
-    if (::link(temporary_.c_str(), path_.c_str()) == 0) return;  // the destructor removes the other
+    if (::link(temporary_.c_str(), target_.c_str()) == 0)
+      return;  // the destructor removes the other
     if (errno == EEXIST) {
       const std::string kept = unfinished_ == Unfinished::kLinesKept ? keep_lines() : "";
       if (kept.empty()) refuse_existing(path_);
@@ -244,7 +268,12 @@ void OutputFile::commit() {
                        "give that another name");
     }
   }
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(std::strerror(errno));
+  if (permissions_) {
+    std::error_code error;
+    fs::permissions(temporary_, static_cast<fs::perms>(*permissions_),
+                    error);  // as far as the file system has them
+  }
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(std::strerror(errno));
   temporary_.clear();
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,10 +27,11 @@ enum class Unfinished {
 };
 
 // Writes to a temporary file beside `path`, PATH.partial-PID; commit() renames it. An existing file
-// is never replaced unless `force`. Devices (/dev/null) are written directly. Without commit() the
+// is never replaced unless `force`; the new one has its permissions, and a link to it stays. Devices (/dev/null),
+// and links to files that the process has open (/dev/fd/3), are written directly. Without commit() the
 // temporary file is removed. Every failure throws InputError. If writing fails (a full disk) and
 // lines are kept, the message names the file that has them.
-// "-" is standard output: it gets the text when the file is committed, or its whole lines when these
+// "-" and links to it (/dev/stdout) are standard output: it gets the text when the file is committed, or its whole lines when these
 // are kept.
 class OutputFile {
  public:
@@ -53,6 +55,8 @@ class OutputFile {
   void copy_to_standard_output(std::size_t bytes);
 
   std::string path_;
+  std::string target_;                   // path_, or what it is a link to
+  std::optional<unsigned> permissions_;  // of the file that is replaced
   std::string temporary_;  // empty: written directly, or a file without a name
   bool standard_output_ = false;
   bool force_;

@@ -251,6 +251,35 @@ TEST_F(Output, TheInputIsKept) {
   EXPECT_EQ(run_kinex({"run", "-", "--force", "--events", link}, scene).exit_code, 0);
 }
 
+// What a link leads to is written, and the link stays: a file, with the permissions that it had, or a file
+// that the program has open, as by /dev/stdout.
+TEST_F(Output, LinksStay) {
+  namespace fs = std::filesystem;
+  const std::string link = scratch_.file("link"), target = scratch_.file("target");
+  write_file(target, "old");
+  fs::permissions(target, fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("target", link);
+  EXPECT_EQ(run_kinex({"run", scene_, "--events", link}).exit_code, 2);
+  EXPECT_EQ(read_file(target), "old");
+  EXPECT_EQ(run_kinex({"run", scene_, "--events", link, "--force"}).exit_code, 0);
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_THAT(read_file(target), StartsWith("{\"format\": \"kinex-log\""));
+  EXPECT_EQ(fs::status(target).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  const std::string log = read_file(target), out = scratch_.file("out");
+  for (const int number : {1, 3}) {
+    const std::string open = scratch_.file("open" + std::to_string(number));
+    fs::create_symlink("/proc/self/fd/" + std::to_string(number), open);
+    for (const char* force : {"", " --force"}) {
+      const std::string command = std::string(KINEX_PROGRAM) + " run '" + scene_ +
+                                  "' -q --events '" + open + "'" + force + " " +
+                                  std::to_string(number) + "> '" + out + "'";
+      EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << command;
+      EXPECT_TRUE(fs::is_symlink(open)) << command;
+      EXPECT_EQ(read_file(out), log) << command;
+    }
+  }
+}
+
 // A link to nothing is seen before the run, not after it.
 TEST_F(Output, LinksToNothing) {
   const std::string link = scratch_.file("link");
