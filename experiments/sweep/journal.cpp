@@ -155,18 +155,27 @@ const Record& Journal::add(const Record& record) {
   return records_.try_emplace(record.key, parse_record(line, path_, 0)).first->second;
 }
 
+// As seen from the journal's folder: however that is spelt, and wherever it is moved to.
+std::string Journal::name_of(const std::string& path) const {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(path, error);
+  const fs::path folder = fs::weakly_canonical(path_, error).parent_path();
+  return error ? path : whole.lexically_relative(folder).string();
+}
+
 void Journal::note_output(const std::string& path, std::string_view text) {
   const std::lock_guard lock(mutex_);
-  const std::string digest = formats::sha256_hex(text);
-  if (file_ >= 0) append(output_line(path, digest));
-  outputs_.insert_or_assign(path, digest);
+  const std::string name = name_of(path), digest = formats::sha256_hex(text);
+  if (file_ >= 0) append(output_line(name, digest));
+  outputs_.insert_or_assign(name, digest);
 }
 
 bool Journal::is_own_output(const std::string& path) const {
   std::error_code absent;
   if (!std::filesystem::is_regular_file(path, absent)) return false;
   const std::lock_guard lock(mutex_);
-  const auto found = outputs_.find(path);
+  const auto found = outputs_.find(name_of(path));
   return found != outputs_.end() &&
          found->second == formats::sha256_hex(formats::read_file_bytes(path));
 }

@@ -59,6 +59,7 @@ class Journal {
   void remove();
 
  private:
+  std::string name_of(const std::string& path) const;
   void read_lines(const std::string& text);
   void append(const std::string& line);
   void note_found();
@@ -70,7 +71,7 @@ class Journal {
   std::string dropped_other_;
   mutable std::mutex mutex_;
   std::map<std::string, Record> records_;       // by key
-  std::map<std::string, std::string> outputs_;  // digests by path
+  std::map<std::string, std::string> outputs_;  // digests by name_of()
 };
 
 }  // namespace kinex::sweep

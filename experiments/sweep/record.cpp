@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/sweep/record.h"
 
+#include <algorithm>
 #include <charconv>
 #include <csignal>
 #include <cstdint>
@@ -109,6 +110,48 @@ std::string record_line(const Record& record) {
   return text;
 }
 
+namespace {
+
+using Kind = formats::JsonValue::Kind;
+
+// Missing members are none.
+bool is_of(const formats::JsonValue* value, Kind kind) {
+  return value == nullptr || value->kind() == kind;
+}
+
+bool is_table(const formats::JsonValue* value) {
+  if (value == nullptr) return true;
+  return value->kind() == Kind::kObject &&
+         std::ranges::all_of(value->items(), [](const formats::JsonValue& one) {
+           return one.kind() == Kind::kNumber || one.kind() == Kind::kString;
+         });
+}
+
+bool are_counts(const formats::JsonValue& of) {
+  const formats::JsonValue* const bounds = of.find("bounds");
+  if (!is_table(of.find("counters")) || !is_table(of.find("extremes"))) return false;
+  if (!is_of(bounds, Kind::kArray)) return false;
+  return bounds == nullptr ||
+         std::ranges::all_of(bounds->items(), [](const formats::JsonValue& bound) {
+           const formats::JsonValue* const holds = bound.find("holds");
+           return holds != nullptr && holds->kind() == Kind::kBoolean;
+         });
+}
+
+// As far as tables are made of it.
+bool is_result(const formats::JsonValue& exact) {
+  if (exact.kind() != Kind::kObject || exact.items().empty()) return false;
+  const formats::JsonValue* const run = exact.find("run");
+  const formats::JsonValue* const structures = exact.find("structures");
+  return is_of(run, Kind::kObject) && (run == nullptr || are_counts(*run)) &&
+         is_of(structures, Kind::kObject) && is_of(exact.find("violations"), Kind::kArray) &&
+         (structures == nullptr || std::ranges::all_of(structures->items(), [](const auto& of) {
+            return of.kind() == Kind::kObject && are_counts(of);
+          }));
+}
+
+}  // namespace
+
 Record parse_record(std::string_view line, const std::string& file, std::size_t number) {
   const formats::JsonDocument document = formats::parse_json(line, file, number);
   const formats::JsonValue& value = *document;
@@ -134,7 +177,11 @@ Record parse_record(std::string_view line, const std::string& file, std::size_t 
   record.ended = fields.text("ended");
   record.times = fields.text("times");
   const formats::JsonValue& exact = fields.member("exact");
-  if (exact.kind() != formats::JsonValue::Kind::kNull) record.exact = formats::canonical_json(exact);
+  const bool is_there = exact.kind() != Kind::kNull;
+  if (is_there ? !is_result(exact) : record.outcome == Outcome::kDone) {
+    fields.fail("its exact fields are not the result of a cell");
+  }
+  if (is_there) record.exact = formats::canonical_json(exact);
   return record;
 }
 

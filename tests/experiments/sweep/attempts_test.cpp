@@ -126,6 +126,23 @@ TEST_F(SweepAttempts, OtherLinesMustBeRecords) {
   EXPECT_INPUT_ERROR(read_attempts({folder_}), path + ": line 3: \"key\": 1 is not a string");
 }
 
+// Tables are made of a result: what would not fit into them is seen when it is read.
+TEST_F(SweepAttempts, AResultHasItsShape) {
+  for (const char* exact :
+       {"", "5", "{}", R"({"structures":["a"]})", R"({"structures":{"a":{"bounds":5}}})",
+        R"({"structures":{"a":{"bounds":[5]}}})", R"({"structures":{"a":{"extremes":[[5]]}}})",
+        R"({"structures":{"a":{"counters":{"x":[]}}}})", R"({"run":{"counters":["a"]}})",
+        R"({"run":{"extremes":[5]}})", R"({"run":5})", R"({"violations":{"a":1}})"}) {
+    SCOPED_TRACE(exact);
+    Record damaged = record(0);
+    damaged.exact = exact;
+    const std::string path = write({damaged});
+    EXPECT_INPUT_ERROR(read_attempts({folder_}),
+                       path + ": line 2: its exact fields are not the result of a cell");
+    fs::remove(path);
+  }
+}
+
 TEST_F(SweepAttempts, AKeyBelongsToItsCell) {
   Record wrong = record(0);
   wrong.key = record(1).key;

@@ -155,6 +155,11 @@ TEST_F(SweepJournal, KnowsItsOwnOutputs) {
   EXPECT_FALSE(journal.is_own_output(output));
   std::ofstream(output) << "result";
   EXPECT_TRUE(journal.is_own_output(output));
+  // However its folder is spelt.
+  const fs::path folder = path_.parent_path(), file = fs::path(output).filename();
+  EXPECT_TRUE(journal.is_own_output((folder / "." / file).string()));
+  EXPECT_TRUE(journal.is_own_output((folder / ".." / folder.filename() / file).string()));
+  EXPECT_TRUE(journal.is_own_output((fs::relative(folder) / file).string()));
   std::ofstream(output, std::ios::app) << "!";
   EXPECT_FALSE(journal.is_own_output(output));
   fs::remove(output);
