@@ -14,10 +14,6 @@ class OfCells:
 
     LINES = 1 << 30  # the numbers of lines: those of objects are smaller
 
-    def __init__(self, checker, structure):
-        super().__init__(checker, structure)
-        self.lines = {}
-
     def own_query(self, r):
         """The order of a point and a line; None: it is another claim."""
         names = [a for a in r.arguments if isinstance(a, str)]
@@ -31,17 +27,18 @@ class OfCells:
     def line(self, name, order):
         self.require(order in ("order_x", "order_y", "order_z") and name[:2] == order[-1] + "=",
                      "%s is no line for an %s", name, order)
-        if name not in self.lines:
+        lines = self.world.lines
+        if name not in lines:
             try:
                 at = Fraction(name[2:])
             except ValueError:
                 raise Wrong("%s is no line" % name)
-            self.lines[name] = self.LINES + len(self.lines)
+            lines[name] = self.LINES + len(lines)
             level = (at.numerator,) if at else ()
             axes = 2 * self.world.scene.dimension  # extents included
-            self.world.set_motion(self.lines[name], SimpleNamespace(denominator=at.denominator,
-                                                                    polynomials=[level] * axes))
-        return self.lines[name]
+            self.world.set_motion(lines[name], SimpleNamespace(denominator=at.denominator,
+                                                               polynomials=[level] * axes))
+        return lines[name]
 
     def moved(self, r):
         self.require_members(r, 1)

@@ -17,6 +17,7 @@ class World:
         self.piece = dict(scene.first)  # per object: the flight plan in force
         self.version = {number: 0 for number in scene.first}
         self.cache = {}
+        self.lines = {}  # the numbers of the lines of grids, by name, of all structures
         self.in_force = {}  # of queries under the motions in force: what changes() returns
 
     def set_motion(self, number, piece):
