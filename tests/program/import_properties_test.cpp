@@ -78,7 +78,8 @@ TEST(ImportProperties, Colours) {
   const std::string table = "id,x,vx,colour\na,0,1,red\nb,5,0,blue\nc,9,-1,red\nd,7,0,red\n";
   expect_same_events(table, {"--end", "9", "--maintain", entry},
                      R"({"kinex": 1, "name": "hand", "dimension": 1, "time": {"start": 0, "end": 9},
-      "maintain": [{"structure": "closest_pair_all", "of": "red"}, "bichromatic_pair_all"], "objects": [
+      "maintain": [{"structure": "closest_pair_all", "of": "red"},
+                   {"structure": "bichromatic_pair_all", "colours": ["red", "blue"]}], "objects": [
       {"id": "a", "colour": "red", "motion": [[0, 1]]}, {"id": "b", "colour": "blue", "motion": [[5]]},
       {"id": "c", "colour": "red", "motion": [[9, -1]]}, {"id": "d", "colour": "red", "motion": [[7]]}]})",
                      R"("external": true)");
