@@ -18,7 +18,7 @@
 // slopes; "tie", two of these that coincide identically.
 //
 // Certificates. n - 1 for the order of slopes (degree d), n - 2 on each line (orientation_2, degree
-// 2d): n^2 - n - 1, a line in at most 3n. A triple fails three, a parallel one.
+// 2d): n^2 - n - 1, a line in at most 3n - 2. A triple fails three, a parallel one.
 //
 // Bounds, for linear motion: 2 C(n,3) triples, C(n,2) parallels and equals together.
 //

@@ -23,7 +23,7 @@
 // spread over the box have O(n) pairs and move through O(n^(3/2)) cells in all while each crosses
 // the box once; n points in one cell have all C(n, 2) pairs, as closest_pair_all. A point that moves
 // to another cell renews O(log n) certificates for each pair that comes or goes. The grid is laid
-// anew when there are no more points than squares, or four times as many.
+// anew when there are no more points than squares, or more than four times as many.
 //
 // Requires a scene with an end: otherwise there is no box.
 //

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // DelaunayTree: the Euclidean minimum spanning tree of moving points, among the edges of their
-// Delaunay triangulation (delaunay_2, or delaunay_3 in space), which it watches: emst_list and
-// emst_cycles.
+// Delaunay triangulation (delaunay_2, or delaunay_3 in space), which it watches: emst_list,
+// emst_cycles and emst_clusters.
 //
-// The engine proves the tree: by the order of all Delaunay edges (tree_by_list.h), or by a cycle of
-// which an edge is the longest, for every edge outside it (tree_by_short_cycles.h). Certificates compare two lengths, degree 2d for
-// motions of degree d.
+// The engine proves the tree: by the order of all Delaunay edges (tree_by_list.h), by a cycle of
+// which an edge is the longest, for every edge outside it (tree_by_short_cycles.h), or by the longest
+// edges of paths in and between clusters of the points (tree_by_clusters.h). Certificates compare two
+// lengths, degree 2d for motions of degree d.
 //
 // Edges suffice. No third point is in the closed disc that has a tree edge as diameter: in the
 // triangle with such a point the edge would be strictly longest. So a tree edge is in every Delaunay
@@ -19,14 +20,14 @@
 //         .       .         180 degrees, so one of them is at least 90 and pr is strictly longest
 //           ' - '           in its triangle; likewise qs
 //
-// Quality, for n points, of the engine beside delaunay_2:
+// Quality, for n points, of the engine beside delaunay_2 (of clusters: tree_by_clusters.h):
 //
 //                          emst_list                        emst_cycles
 //   certificates           at most 3n - 7                   at most (2n - 5)(n - 1); 7n or 8n on
 //                                                           1000 or 4000 random points
 //   a failure renews       3, mostly internal               1 that changes the tree; else 1, or a
 //                                                           cycle; on random points one in four
-//                                                           changes the tree
+//                                                           or five changes the tree
 //   a flip                 O(log n) comparisons             one triangle dropped, another proved
 //   a degenerate instant,
 //   a point more or less   reads all edges; Kruskal, O(n)   reads all edges; what has changed

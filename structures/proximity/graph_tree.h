@@ -12,8 +12,8 @@
 //     _cycles      tree_by_cycles.h    the heaviest edge of every cycle     (m - n + 1)(n - 1)
 //     _clusters    tree_by_clusters.h  the heaviest edges of paths in and   3m + n (log2 n + 1)
 //                                      between clusters of its vertices       + nk + 2k^2
-//     _sparsified  tree_by_forests.h   cycles in each node of a tournament  (n - 1)^2 in each of
-//                                      of forests of groups of edges          about 2m/n nodes
+//     _sparsified  tree_by_forests.h   cycles in each node of a tournament  (n - 1)^2 in each inner
+//                                      of forests of groups of edges          node: see there
 //
 // External events: at most d C(m, 2) without flight-plan changes, one for each two edges that
 // change their order; O(m n^(1/3)) for linear weights (Dey). When an edge is inserted or erased,

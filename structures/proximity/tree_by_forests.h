@@ -2,9 +2,10 @@
 // TreeByForests: the minimum spanning forest of a changing graph of many more edges than vertices, by
 // a tournament of forests.
 //
-// The edges are in groups by their numbers, of about as many edges as there are vertices. A complete
-// binary tree has the groups for its leaves; every node has the minimum spanning forest of its edges,
-// which are those of the group, or those of the forests of its two children:
+// The edges are in groups by their numbers, each of as many edges as there are vertices, or of more
+// where that would make more than 120 groups. A complete binary tree has the groups for its leaves;
+// every node has the minimum spanning forest of its edges, which are those of the group, or those of
+// the forests of its two children:
 //
 //                 F1 = MSF(F2 + F3)            n vertices: a forest has n - 1 edges at most, so an
 //                  /          \                inner node has 2n - 2. An edge that is not in the
@@ -17,9 +18,10 @@
 // of another there is an insertion and an erasure in the node above, which may change its forest in
 // turn.
 //
-// Certificates, for m edges and n vertices: about 2m / n nodes, each of at most (n - 1)^2. Every
-// failure changes the forest of a node; it is internal if that of the root stays. Each edge is in
-// O(log(m / n)) nodes.
+// Certificates, for m edges and n vertices, in groups of g = max(n, m / 120) edges: about 2m / g nodes. A
+// leaf has at most (g - k) k certificates, k = min(n - 1, g / 2); an inner node (n - 1)^2, and 2 (n - 1)^2
+// while the forests of its children change. Every failure changes the forest of a node; it is internal if
+// that of the root stays. Each edge is in O(log(m / g)) nodes.
 //
 // Source: Eppstein, Galil, Italiano, Nissenzweig, "Sparsification" (1997), as used by Agarwal,
 // Eppstein, Guibas, Henzinger, "Parametric and kinetic minimum spanning trees" (1998).

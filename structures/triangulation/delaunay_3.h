@@ -23,7 +23,8 @@
 //   compactness     2 (E - V) certificates (Euler's formula on the 3-sphere), at most (n+1)(n-2)
 //   locality        not local
 //   responsiveness  a flip, 9 or 7 certificates
-//   efficiency      every event but `blocked` and `touch`, at degenerate instants, changes cells (ratio 1)
+//   efficiency      every event changes cells, but for `blocked`, `touch` and some `retile` of degenerate
+//                   instants
 //   in one plane    3n - 3 certificates, 5 for a flip; at most 4d C(n,4) + 2d C(n,3) flips
 // Events: each in_sphere_3 changes sign at most 5d times, each orientation_3 3d times: at most
 // 5d C(n,5) + 3d C(n,4) instants; with ties that last at most 15d C(n,5) + 24d C(n,4). Growth

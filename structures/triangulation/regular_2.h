@@ -25,7 +25,8 @@
 //   locality        not local
 //   responsiveness  5 certificates for a flip, 6 for a point that shows, 7 for one that hides, 4 for a
 //                   new witness, with any number of hidden points
-//   efficiency      every event but that of a new witness changes triangles
+//   efficiency      every event changes triangles, but for `witness`, and for `blocked`, `touch` and some
+//                   `retile` of degenerate instants
 // Events: each power changes sign at most 4D times, each orientation 2D times: at most
 // 4D C(n,4) + 2D C(n,3) changes of the triangulation, and as many failures of witnesses. With ties that
 // last at most 8D C(n,4) + 6D C(n,3) changes.

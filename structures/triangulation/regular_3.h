@@ -26,7 +26,8 @@
 //   locality        not local
 //   responsiveness  9 certificates for a flip 2-3, 7 for one 3-2, 10 for a point that shows, 9 for one that
 //                   hides, 5 for a new witness, with any number of hidden points
-//   efficiency      every event but that of a new witness changes cells
+//   efficiency      every event changes cells, but for `witness`, and for `blocked`, `touch` and some `retile`
+//                   of degenerate instants
 //   in one plane    3n' - 3 + 4 (n - n') certificates; those of regular_2 for each change
 // Events: each power changes sign at most 5D times, each orientation 3D times: at most
 // 5D C(n,5) + 3D C(n,4) changes of the triangulation, and as many failures of witnesses. With ties that
