@@ -215,8 +215,10 @@ std::string fit_text(const Fit& fit) {
   const double scatter = std::sqrt(squares / static_cast<double>(fit.residuals.size()));
   return fmt::format("{}: a = {:.4g}, b = {:.4g} [{:.4g}, {:.4g}]{}, {}", fit.law, fit.a, fit.b,
                      fit.lower, fit.upper, fit.h ? fmt::format(", c = {:.4g}", fit.c) : "",
-                     fit.weighted ? fmt::format("chi^2 = {:.1f} on {}", fit.chi_square, fit.degrees)
-                                  : fmt::format("scatter {:.2g} %", 100 * scatter));
+                     fit.weighted
+                         ? fmt::format("chi^2 = {:.1f} on {}{}", fit.chi_square, fit.degrees,
+                                       is_improbable(fit) ? ", too large for chance" : "")
+                         : fmt::format("scatter {:.2g} %", 100 * scatter));
 }
 
 }  // namespace kinex::lab

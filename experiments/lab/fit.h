@@ -74,8 +74,8 @@ enum class BetterFit { kFirst, kNeither, kSecond };
 inline constexpr double kDecisive = 9;  // three standard errors
 BetterFit better_fit(const Fit& first, const Fit& second);
 
-// "a + b ln^2 n: a = .., b = .. [..], chi^2 = 3.1 on 5"; of counts without standard errors "scatter
-// 2.1 %" in place of the last.
+// "a + b ln^2 n: a = .., b = .. [..], chi^2 = 3.1 on 5", with "too large for chance" where it is
+// (is_improbable); of counts without standard errors "scatter 2.1 %" in place of chi^2.
 std::string fit_text(const Fit& fit);
 
 }  // namespace kinex::lab

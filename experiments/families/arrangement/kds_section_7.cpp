@@ -45,10 +45,14 @@ std::vector<lab::SeriesPoint> kds_section_7_arrangements_points(bool quick) {
 lab::PartReport kds_section_7_arrangements_report(const std::vector<lab::SeriesResult>& results,
                                                   const std::string& command) {
   lab::PartReport report;
-  report.claims.push_back(growth_claim(
-      means_of(results, kWalls, "max_live"),
+  report.claims.push_back(bound_claim(
+      results,
       {"7.13.proof", "The vertical decomposition of n lines has a proof of size Theta(n^2).",
-       kWalls, "certificates, those of the order of crossings included", 2}));
+       kWalls, "max_live", "certificates, those of the order of crossings included",
+       "2n^2 - 2n - 1", [](double n, double) { return 2 * n * n - 2 * n - 1; }}));
+  if (const auto fit = lab::fit_power(means_of(results, kWalls, "max_live"))) {
+    report.claims.back().observed += "; " + lab::fit_text(*fit);
+  }
   report.claims.push_back(growth_claim(means_of(results, kWalls, "max_per_object"),
                                        {"7.13.local", "A line is in Theta(n) certificates of it.",
                                         kWalls, "certificates of one line", 1}));

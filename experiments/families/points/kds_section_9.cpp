@@ -25,6 +25,7 @@
 #include "experiments/families/points/uniform_lines.h"
 #include "experiments/lab/claim_check.h"
 #include "experiments/lab/fit.h"
+#include "experiments/lab/growth_words.h"
 #include "experiments/lab/neighbours.h"
 #include "experiments/lab/power_verdict.h"
 
@@ -283,12 +284,7 @@ void judge_logarithm(const Family& family, const std::vector<lab::FitPoint>& poi
                   : neighbours->is_beaten() ? lab::Verdict::kRefuted
                                             : lab::Verdict::kOpen;
   claim.observed += "; " + lab::neighbours_text(*neighbours);
-  claim.observed += fmt::format(
-      "; at a power the local exponent would stay: it falls from "
-      "{:.3f} to {:.3f}",
-      std::log(points[1].count / points[0].count) / std::log(points[1].n / points[0].n),
-      std::log(points.back().count / points[points.size() - 2].count) /
-          std::log(points.back().n / points[points.size() - 2].n));
+  claim.observed += "; at a power the local exponent would stay: " + lab::local_exponents(points);
   const bool is_improbable = lab::is_improbable(law);
   if (!is_improbable && claim.verdict != lab::Verdict::kRefuted) return;
   std::optional<lab::Fit> corrected;
@@ -296,7 +292,6 @@ void judge_logarithm(const Family& family, const std::vector<lab::FitPoint>& poi
     corrected = lab::fit_law_with(law.law + " + c ln n", points, law.g,
                                   [](double n) { return std::log(n); });
   }
-  if (is_improbable) claim.observed += "; its chi^2 is too large for chance";
   if (corrected) claim.observed += "; " + lab::fit_text(*corrected);
   const bool is_explained = corrected && !lab::is_improbable(*corrected);
   if (!is_explained && claim.verdict == lab::Verdict::kConfirmed) {

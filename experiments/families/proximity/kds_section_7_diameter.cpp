@@ -19,6 +19,7 @@
 #include "experiments/families/points/kds_claims.h"
 #include "experiments/families/proximity/experiments.h"
 #include "experiments/lab/claim_check.h"
+#include "experiments/lab/growth_words.h"
 #include "experiments/lab/scene_run.h"
 #include "experiments/lab/statistics.h"
 #include "experiments/lab/workload.h"
@@ -98,10 +99,10 @@ lab::PartReport kds_section_7_diameter_report(const lab::StudyResult& result,
   lab::PaperClaim claim = open_question(
       "7.8.diameter", "How long is the longest path of a minimum spanning tree of random points?",
       lab::fit_text(*fit) +
-          ". The longest path grows faster than the side of a square grid of as many points, "
-          "n^(1/2), "
-          "and far slower than the points. It is the cost of an edge at worst: most paths are "
-          "shorter",
+          fmt::format(
+              ". It grows {}, the side of a square grid of as many points, and {}. It is the "
+              "cost of an edge at worst: most paths are shorter",
+              lab::growth_words(fit, 0.5, "n^(1/2)"), lab::growth_words(fit, 1, "n")),
       {kTree, "uniform-square"});
   claim.place = "section 7";
   claim.command = command;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -86,6 +87,66 @@ lab::Verdict balls_verdict(int power) {
 TEST(Locality, TheGrowthDecides) {
   EXPECT_EQ(balls_verdict(1), lab::Verdict::kConfirmed);
   EXPECT_EQ(balls_verdict(0), lab::Verdict::kRefuted);
+}
+
+// What the study of clusters says of certificates that grow like these powers of the vertices.
+std::string clusters_text(double clusters, double cycles, std::size_t sizes) {
+  std::vector<std::vector<std::string>> rows;
+  int n = 16;
+  for (std::size_t i = 0; i < sizes; ++i, n *= 2) {
+    const double wobble = i % 2 == 0 ? 1.001 : 0.999;
+    const double of_clusters = 4 * std::pow(n, clusters) * wobble,
+                 of_cycles = 3 * std::pow(n, cycles) / wobble;
+    rows.push_back({"uniform-square", std::to_string(n), "8", "9", std::to_string(of_clusters),
+                    std::to_string(of_clusters / 500), "1", std::to_string(of_cycles),
+                    std::to_string(of_cycles / 500)});
+  }
+  return families::kds_section_7_clusters_report(table_of(rows), "command").claims.at(0).observed;
+}
+
+TEST(Clusters, TheTableDecidesWhatIsSaid) {
+  const auto says = [](const std::string& text, const char* words) {
+    return text.find(words) != std::string::npos;
+  };
+  const std::string pays = clusters_text(0.3, 1, 6), costs = clusters_text(1, 0.3, 6),
+                    few = clusters_text(1, 0.3, 3);
+  EXPECT_TRUE(
+      says(costs, "Cycles make fewer certificates at every size; the ratio of the two grows"));
+  EXPECT_TRUE(
+      says(costs, "by clusters they grow faster than n^(2/3); by cycles they grow more slowly"));
+  EXPECT_TRUE(says(costs, "No size here shows that clusters pay"));
+  EXPECT_TRUE(says(pays, "at 0 of 6 sizes") && says(pays, "the ratio of the two falls with n"))
+      << pays;
+  EXPECT_TRUE(
+      says(pays, "by clusters they grow more slowly than n^(2/3); by cycles they grow faster"));
+  EXPECT_FALSE(says(pays, "No size here"));
+  EXPECT_TRUE(says(few, "whether the ratio of the two grows is not told")) << few;
+}
+
+TEST(TreeDiameter, TheTableDecidesWhatIsSaid) {
+  const auto text = [](double power) {
+    std::vector<std::vector<std::string>> rows;
+    for (const int n : {50, 100, 200, 400, 800}) {
+      const double edges = 2 * std::pow(n, power) * (n % 200 == 0 ? 1.001 : 0.999);
+      rows.push_back({std::to_string(n), "16", std::to_string(edges), std::to_string(edges / 500)});
+    }
+    return families::kds_section_7_diameter_report(table_of(rows), "command").claims.at(0).observed;
+  };
+  EXPECT_NE(text(0.65).find("faster than n^(1/2), the side"), std::string::npos);
+  EXPECT_NE(text(0.4).find("more slowly than n^(1/2), the side"), std::string::npos);
+  EXPECT_NE(text(1.2).find("and faster than n."), std::string::npos) << text(1.2);
+}
+
+TEST(Hitting, TheShareIsThatOfTheTable) {
+  std::vector<std::vector<std::string>> rows;
+  for (const int n : {12, 24, 48, 96}) {
+    rows.push_back({"random-discs", std::to_string(n), "8", "5", "9", std::to_string(n),
+                    std::to_string(n == 48 ? 24.5 : 1.0 * n), "0.1", "0"});
+  }
+  const auto report = families::kds_section_7_hitting_report(table_of(rows), "command");
+  EXPECT_NE(report.claims.at(0).observed.find("The points are 51 % of the maximal sets"),
+            std::string::npos)
+      << report.claims.at(0).observed;
 }
 
 TEST(Cuttings, OtherChangesRefute) {
