@@ -6,6 +6,8 @@ with a flip that was impossible ("blocked"), or with points taken out and put in
 computed from scratch right after the instant, and must have the edges of the log.
 """
 
+from math import inf
+
 from log import Wrong
 from predicates import normal_form
 from proof import Proof
@@ -232,6 +234,16 @@ class Delaunay(Replay):
             self.difference(r)
 
     moved = False
+    late = ()
+
+    def before_motion(self, objects, x):
+        """Hull vertices that are identically between their neighbours until now: that they turn left is claimed only
+        when all other failures of the instant have been handled."""
+        super().before_motion(objects, x)
+        self.late = [claim for place, claim in self.proof.claims.items() if len(place) == 2 and self.infinity in place
+                     and not objects.isdisjoint(claim[0][1]) and self.world.is_zero(claim[0])]
+        for claim in self.late:
+            claim[2] = inf
 
     def after_motion(self, objects, x):
         super().after_motion(objects, x)
@@ -260,7 +272,9 @@ class Delaunay(Replay):
             self.make(x)
         elif self.many > 1 or self.moved:
             self.check_all(x)
-        self.many, self.loose, self.moved = 0, False, False
+        for claim in self.late:
+            claim[2] = self.proof.step
+        self.many, self.loose, self.moved, self.late = 0, False, False, ()
         true = self.true_edges()
         if self.edges != true:
             less, more = sorted(true - self.edges), sorted(self.edges - true)

@@ -42,9 +42,12 @@ class MaximumNorm(ByTurnedOrders):
         return [q for q in found if q is not None]
 
     def precedes(self, x):
-        return precedes_by(lambda axis, a, b: self.world.sign_after(
+        return self.precedes_by_signs(lambda query: self.world.sign_after(query, x))
+
+    def precedes_by_signs(self, sign):
+        return precedes_by(lambda axis, a, b: sign(
             ("order_x" if axis == X else "order_y" if axis == Y else
-             ("order_direction", (1, 1) if axis == SUM else (1, -1)), (a, b)), x))
+             ("order_direction", (1, 1) if axis == SUM else (1, -1)), (a, b))))
 
     def form(self, pair, precedes):
         """(direction, from, to): the length is that of the step along the direction."""
@@ -122,24 +125,35 @@ class MaximumNormTree(MaximumNorm, SpanningTree):
 
     def begin(self, x):
         super().begin(x)
-        self.moved = set()  # edges that have come into the tree, or near it, or left it, at the present instant
+        self.moved = False  # edges have taken the places of others at the present instant: the cycles are other ones
+        self.cause = None  # the certificate of the record before, at the present instant
 
     def record(self, r, x):
         super().record(r, x)
+        self.cause = (r.predicate, r.arguments)
         if r.kind not in ("settled", "rebuild"):
-            self.moved |= {tuple(r.ids[:2]), tuple(r.ids[2:])}
+            self.moved = True
 
     def settle(self, x):
         super().settle(x)
-        self.moved.clear()
+        self.moved = False
+        self.cause = None
 
     def doubt(self, r, x, what):
-        """Of two lengths that are identically equal the turned ones are compared, which may be negative since long.
-        That is a failure only of an edge that has taken the place of another one at this instant, or has lost its own."""
-        old, fresh = tuple(r.ids[:2]), tuple(r.ids[2:])
-        if (old in self.moved or fresh in self.moved) and self.is_turned(r, x):
+        """Of two lengths that are identically equal the turned ones are compared, which may be negative since long. That
+        is a failure only where the two are compared from this instant on: edges have taken the places of others in the
+        cycles, or one of the two lengths is along another axis now. A tie in the repair of a failure names that one."""
+        if r.kind == "tie" and self.cause == (r.predicate, r.arguments):
+            return
+        fresh = self.moved or any(self.has_turned(tuple(r.ids[at:at + 2]), x) for at in (0, 2) if len(r.ids) == 4)
+        if fresh and self.is_turned(r, x):
             return
         super().doubt(r, x, what)
+
+    def has_turned(self, pair, x):
+        """The length is along one axis right before x, and along another one right after it."""
+        before = self.precedes_by_signs(lambda query: self.world.sign_before(query, x))
+        return self.form(pair, before) != self.form(pair, self.precedes(x))
 
     def names_both(self, r):
         """Of two lengths along one axis with an end in common only the other ends are named."""
@@ -186,8 +200,8 @@ class PolygonTree(MaximumNormTree):
     def directions(self):
         return [("order_direction", u) for u in all_vectors(corners_of(self.structure))]
 
-    def precedes(self, x):
-        return precedes_along(lambda u, a, b: self.world.sign_after((("order_direction", u), (a, b)), x))
+    def precedes_by_signs(self, sign):
+        return precedes_along(lambda u, a, b: sign((("order_direction", u), (a, b))))
 
     def form(self, pair, precedes):
         corners = corners_of(self.structure)

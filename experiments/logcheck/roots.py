@@ -329,6 +329,11 @@ class SignChanges:
         i = self.first_after(x)
         return self.sign if i % 2 == 0 else -self.sign
 
+    def before(self, x):
+        """The sign right before x, an instant of the window."""
+        i = sum(compare(r, x) < 0 for r in self.roots)
+        return self.sign if i % 2 == 0 else -self.sign
+
     def first_after(self, x):
         """Index of the first sign change after x."""
         i = 0

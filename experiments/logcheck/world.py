@@ -67,6 +67,11 @@ class World:
         changes, sign = self.changes(*query)
         return sign * changes.after(x)
 
+    def sign_before(self, query, x):
+        """As sign_after, on (x - eps, x), by the motions that are in force right after x."""
+        changes, sign = self.changes(*query)
+        return sign * changes.before(x)
+
     def is_zero(self, query):
         return not self.changes(*query)[0].p
 
