@@ -10,6 +10,7 @@
 #include "core/numbers/stop.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/lab/gmp_memory.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/lab/machine.h"
 #include "experiments/verbs/help_format.h"
 #include "experiments/verbs/usage_error.h"
@@ -66,7 +67,7 @@ int main(int argc, char** argv) {
   try {
     return run(app, argc, argv, exit_code);
   } catch (const kinex::formats::InputError& error) {
-    tell(error.what());
+    tell(kinex::formats::plain(error.what()));
     return verbs::kExitBadInput;
   } catch (const kinex::Stopped&) {
     tell(
@@ -83,7 +84,7 @@ int main(int argc, char** argv) {
     tell(error.what());
     return verbs::kExitBadInput;
   } catch (const kinex::view::MisreportedEvents& error) {
-    tell(error.what());
+    tell(kinex::formats::plain(error.what()));
     return verbs::kExitFailed;
   } catch (const std::exception& error) {
     tell(std::string("internal error: ") + error.what() + "; please report it with the input");

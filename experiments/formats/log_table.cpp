@@ -7,6 +7,7 @@
 #include "core/numbers/near_names.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
+#include "experiments/formats/plain_text.h"
 
 namespace kinex::formats {
 
@@ -35,8 +36,10 @@ std::string ids_text(const std::vector<std::string>& ids) {
   std::string text;
   for (const std::string& id : ids) {
     if (!text.empty()) text += ' ';
-    if (id.empty() || id.find_first_of(" \"\\\t\r\n") != std::string::npos) {
-      append_json_string(text, id);
+    if (id.empty() || id.find_first_of(" \"\\") != std::string::npos || plain(id) != id) {
+      std::string quoted;
+      append_json_string(quoted, id);
+      text += plain(quoted);
     } else {
       text += id;
     }
@@ -164,7 +167,7 @@ LogRow log_row(const LogRecord& record, const LogHeader& header) {
   return {std::to_string(record.sequence),
           header.has_times() ? record.time.decimal : "",
           instant_words(record.time, header),
-          record.structure,
+          plain(record.structure),
           record.kind,
           std::move(ids),
           record.external ? "external" : "internal",

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/formats/counted.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/formats/scene_writer.h"
 #include "experiments/formats/weights.h"
 #include "structures/plan.h"
@@ -71,10 +72,10 @@ std::string maintained(const Scene& scene) {
     if (!text.empty()) text += ", ";
     text += request.structure;
     const StructureInfo* info = find_structure_info(request.structure);
-    if (info != nullptr && info->uses_key) text += " by " + key_json(request.key, scene);
+    if (info != nullptr && info->uses_key) text += " by " + plain(key_json(request.key, scene));
     const std::string options = options_json(request, scene);
-    if (!options.empty()) text += " " + beginning(options);
-    if (request.label != request.structure) text += " as \"" + request.label + "\"";
+    if (!options.empty()) text += " " + plain(beginning(options));
+    if (request.label != request.structure) text += " as \"" + plain(request.label) + "\"";
   }
   return text.empty() ? "nothing" : text;
 }
@@ -149,7 +150,7 @@ std::string described_lines(const Scene& scene) {
 
 }  // namespace
 
-std::string shown_name(const Scene& scene) { return scene.name.empty() ? "(no name)" : scene.name; }
+std::string shown_name(const Scene& scene) { return scene.name.empty() ? "(no name)" : plain(scene.name); }
 
 std::string objects_in_words(const Scene& scene) {
   if (scene.has_bodies()) return "rigid convex polygons";
@@ -222,9 +223,9 @@ std::string explain_model(const Scene& scene, const Simulator& simulator) {
   const std::vector<PlannedStructure> plan = plan_structures(scene);
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const PlannedStructure& p = plan[i];
-    text += (i == 0 ? "builds    " : "          ") + p.request.label;
+    text += (i == 0 ? "builds    " : "          ") + plain(p.request.label);
     for (std::size_t j = 0; j < p.watches.size(); ++j) {
-      text += (j == 0 ? ", read off " : " and ") + plan[p.watches[j]].request.label;
+      text += (j == 0 ? ", read off " : " and ") + plain(plan[p.watches[j]].request.label);
     }
     if (p.readers > 0) {
       const int users = p.readers + (p.asked ? 1 : 0);

@@ -6,6 +6,7 @@
 
 #include "experiments/formats/attribute_json.h"
 #include "experiments/formats/counted.h"
+#include "experiments/formats/plain_text.h"
 
 namespace kinex::formats {
 
@@ -15,6 +16,10 @@ std::string shortened(std::string text) {
   constexpr std::size_t kLongest = 100;
   if (text.size() > kLongest) text = text.substr(0, kLongest) + " ..";
   return text;
+}
+
+std::string label_of(const Simulator& simulator, StructureId id) {
+  return plain(simulator.label(id));
 }
 
 constexpr std::size_t kLeastLabel = 24, kLeastCount = 11;
@@ -121,8 +126,8 @@ std::string answer_lines(const Sample& sample, const BoxAnswer& query,
     std::string ids;
     JsonWriter json(ids);
     write_attribute(json, {Attribute::Shape::kSequence, answer.ids}, simulator.scene());
-    text += "at " + sample.t.to_string() + "  " + simulator.label(answer.structure) + " in " + box +
-            ": " + ids + " by " + counted(answer.counts.nodes, "node", "nodes") + " and " +
+    text += "at " + sample.t.to_string() + "  " + label_of(simulator, answer.structure) + " in " + box +
+            ": " + plain(ids) + " by " + counted(answer.counts.nodes, "node", "nodes") + " and " +
             counted(answer.counts.signs, "sign", "signs") + "\n";
   }
   return text;
@@ -133,22 +138,22 @@ std::string answer_lines(const Sample& sample, const BoxAnswer& query,
 std::string describe_results(const Simulator& simulator, const RunOutcome& outcome) {
   std::vector<Row> rows{head_row()};
   for (StructureId id = 0; id < simulator.structures(); ++id) {
-    rows.push_back(row_of(simulator.label(id), simulator.ledger(id)));
+    rows.push_back(row_of(label_of(simulator, id), simulator.ledger(id)));
   }
   std::string text = "\n" + aligned(rows) + groups_note(simulator);
   for (StructureId id = 0; id < simulator.structures(); ++id) {
     for (const auto& [reason, count] : simulator.ledger(id).rebuild_reasons) {
-      text += "rebuilt   " + simulator.label(id) + ", " + counted(count, "time", "times") + ": " +
+      text += "rebuilt   " + label_of(simulator, id) + ", " + counted(count, "time", "times") + ": " +
               reason + "\n";
     }
-    text += rebuild_warning(simulator.label(id), simulator.ledger(id), simulator.arithmetic().is_exact());
+    text += rebuild_warning(label_of(simulator, id), simulator.ledger(id), simulator.arithmetic().is_exact());
   }
   if (simulator.is_torn()) {
     text += "bounds    not judged: the run was stopped in the midst of an instant or its set-up\n";
   }
   for (StructureId id = 0; id < simulator.structures(); ++id) {
     for (const BoundCheck& bound : outcome.bounds[id]) {
-      text += "bound     " + bound_name(bound.id, simulator.label(id)) + ": " +
+      text += "bound     " + bound_name(bound.id, label_of(simulator, id)) + ": " +
               bound.observed.to_string() + " <= " + shortened(bound.bound.to_string()) +
               (bound.holds ? " holds" : " DOES NOT HOLD") + "\n";
     }
@@ -163,7 +168,7 @@ std::string describe_samples(const Simulator& simulator, const RunOutcome& outco
       std::string value;
       JsonWriter json(value);
       write_attribute(json, sample.values[id], simulator.scene());
-      text += "at " + sample.t.to_string() + "  " + simulator.label(id) + " " + value + "\n";
+      text += "at " + sample.t.to_string() + "  " + label_of(simulator, id) + " " + plain(value) + "\n";
     }
     for (const BoxAnswer& query : sample.queries) text += answer_lines(sample, query, simulator);
   }
@@ -175,10 +180,10 @@ std::vector<std::string> failures_of(const Simulator& simulator, const RunOutcom
   for (StructureId id = 0; id < simulator.structures(); ++id) {
     const StructureLedger& ledger = simulator.ledger(id);
     if (ledger.corrupt)
-      failures.push_back(simulator.label(id) + " is corrupt: " + ledger.corruption);
+      failures.push_back(label_of(simulator, id) + " is corrupt: " + ledger.corruption);
     for (const BoundCheck& bound : outcome.bounds[id]) {
       if (bound.holds) continue;
-      failures.push_back(simulator.label(id) + ": bound " + bound.id + " is broken: observed " +
+      failures.push_back(label_of(simulator, id) + ": bound " + bound.id + " is broken: observed " +
                          bound.observed.to_string() + ", bound " + bound.bound.to_string() + " (" +
                          bound.source + ")");
     }

@@ -15,6 +15,7 @@
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/log_check.h"
 #include "experiments/formats/model_text.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
 #include "experiments/lab/scene_run.h"
@@ -92,8 +93,8 @@ std::string levels_text(const formats::LogVerdict& verdict, const std::string& n
 }
 
 std::string log_text(const formats::LogVerdict& verdict, const std::string& no_scene) {
-  std::string text = "log       " + verdict.header.scene + ", " + verdict.header.arithmetic + ", " +
-                     verdict.header.build + "\n";
+  std::string text = "log       " + formats::plain(verdict.header.scene) + ", " + verdict.header.arithmetic + ", " +
+                     formats::plain(verdict.header.build) + "\n";
   text += "scene     " + verdict.header.scene_hash + "\n";
   text += "records   " + formats::counted(verdict.records, "log record", "log records") + ", " +
           verdict.external_by_use.text();
@@ -102,7 +103,7 @@ std::string log_text(const formats::LogVerdict& verdict, const std::string& no_s
   }
   text += "\ndigest    " + verdict.digest + "\n";
   text += "run       " + (verdict.status.empty() ? "cut off" : verdict.status) + "\n";
-  if (verdict.problems.empty()) text += "verified  " + levels_text(verdict, no_scene);
+  if (verdict.problems.empty()) text += "verified  " + levels_text(verdict, formats::plain(no_scene));
   return text;
 }
 
@@ -148,7 +149,7 @@ void report_log(const formats::LogVerdict& verdict, const std::string& no_scene,
   } else {
     voice.report(log_text(verdict, no_scene));
   }
-  for (const std::string& problem : verdict.problems) voice.error(options.file + ": " + problem);
+  for (const std::string& problem : verdict.problems) voice.error(formats::plain(options.file + ": " + problem));
   if (!verdict.problems.empty()) exit_code = kExitFailed;
 }
 
@@ -205,8 +206,8 @@ void check(const CheckOptions& options, const Voice& voice, int& exit_code) {
     if (options.scene.empty()) {
       const formats::LogHeader header = formats::LogReader(text, options.file).header();
       scene = scene_beside(header, options.file, no_scene);
-      voice.detail(scene ? "with the scene " + file_beside(header, options.file)
-                         : "without the scene: " + no_scene);
+      voice.detail(scene ? "with the scene " + formats::plain(file_beside(header, options.file))
+                         : "without the scene: " + formats::plain(no_scene));
     } else {
       scene = formats::read_scene(options.scene);
     }

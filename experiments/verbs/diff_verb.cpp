@@ -14,6 +14,7 @@
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/log_diff.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
@@ -63,7 +64,7 @@ std::vector<std::string> words_of(const formats::RecordDifference& one) {
 
 std::string listed(const std::vector<std::string>& labels) {
   std::string text;
-  for (const std::string& label : labels) text += (text.empty() ? "" : ", ") + label;
+  for (const std::string& label : labels) text += (text.empty() ? "" : ", ") + formats::plain(label);
   return text;
 }
 
@@ -130,7 +131,7 @@ std::string plain_text(const formats::LogDifference& difference, const DiffOptio
     if (!only.empty()) text += "only in " + file + ", not compared: " + listed(only) + "\n";
   }
   for (const formats::OtherLabel& one : difference.other_labels) {
-    text += one.label_a + " of " + options.a + " is compared with " + one.label_b + " of " +
+    text += formats::plain(one.label_a) + " of " + options.a + " is compared with " + formats::plain(one.label_b) + " of " +
             options.b + "\n";
   }
   const formats::LogEnding &a = difference.ending_a, &b = difference.ending_b;
@@ -234,7 +235,7 @@ void diff(const DiffOptions& options, const Voice& voice, int& exit_code) {
   const std::size_t most = options.all ? std::numeric_limits<std::size_t>::max() : kListed;
   const formats::LogDifference difference = formats::diff_logs(a, options.a, b, options.b, most);
   for (const formats::KindDifference& one : difference.kinds) {
-    voice.detail(one.structure + " " + one.kind + ": " + std::to_string(one.events_a) + " and " +
+    voice.detail(formats::plain(one.structure) + " " + one.kind + ": " + std::to_string(one.events_a) + " and " +
                  formats::counted(one.events_b, "record", "records") + ", " +
                  std::to_string(one.missing) + " missing, " + std::to_string(one.invented) +
                  " invented");

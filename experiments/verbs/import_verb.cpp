@@ -17,6 +17,7 @@
 #include "experiments/formats/event_log.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/formats/moving_features.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
@@ -178,13 +179,13 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
       formats::counted(report.rows, features ? "feature" : "row", features ? "features" : "rows") +
       ", " + formats::counted(scene.objects.size(), "object", "objects"));
   if (!report.time_zero.empty()) voice.note("t is in seconds, 0 is " + report.time_zero);
-  for (const std::string& note : report.notes) voice.note(note);
+  for (const std::string& note : report.notes) voice.note(formats::plain(note));
   if (ignores_colours(scene)) {
     voice.note(
         "no structure is about the colours: --maintain with \"of\" or \"colours\" names them");
   }
-  for (const std::string& detail : report.details) voice.detail(detail);
-  voice.detail(scene.name + ": " + std::to_string(scene.dimension) +
+  for (const std::string& detail : report.details) voice.detail(formats::plain(detail));
+  voice.detail(formats::plain(scene.name) + ": " + std::to_string(scene.dimension) +
                (scene.dimension == 1 ? " axis" : " axes") + ", t from " + time_text(scene.start) +
                (scene.end ? " to " + time_text(*scene.end) : " on") + ", hash " +
                formats::scene_hash(scene));
@@ -195,7 +196,7 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
     voice.note(formats::counted(report.single_fixes.size(), "trace of a single fix was",
                                 "traces of a single fix were") +
                " left out: " + formats::some_of(report.single_fixes));
-    for (const std::string& trace : report.single_fixes) voice.detail("left out: " + trace);
+    for (const std::string& trace : report.single_fixes) voice.detail("left out: " + formats::plain(trace));
   }
   if (report.repeated_fixes > 0) {
     voice.note(formats::counted(report.repeated_fixes, "repeated fix was", "repeated fixes were") +

@@ -10,6 +10,7 @@
 #include "experiments/formats/log_ending.h"
 #include "experiments/formats/log_scene.h"
 #include "experiments/formats/log_table.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
@@ -36,8 +37,8 @@ void show_log(const LogOptions& options, const Voice& voice) {
       options.columns);
   write_result(options.output, options.force, table.text);
   const formats::LogHeader& header = reader.header();
-  voice.detail("scene " + header.scene + " in " + header.arithmetic + ", " +
-               formats::structures_of(header) + ", by " + header.build);
+  voice.detail(formats::plain("scene " + header.scene + " in " + header.arithmetic + ", " +
+                              formats::structures_of(header) + ", by " + header.build));
   if (table.complete) {
     voice.detail("run " + reader.end()->status + ", " +
                  formats::counted(reader.end()->records, "log record", "log records") + ", " +

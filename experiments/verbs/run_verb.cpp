@@ -21,6 +21,7 @@
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/model_text.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/formats/run_report.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
@@ -352,12 +353,12 @@ void run(const RunOptions& options, const Voice& voice, int& exit_code) {
   }
   if (!outcome.clean(*simulator)) {
     for (const std::string& problem : formats::failures_of(*simulator, outcome)) {
-      voice.error(problem);
+      voice.error(formats::plain(problem));
     }
     exit_code = kExitFailed;
   }
   if (refused) {
-    voice.error(*refused);
+    voice.error(formats::plain(*refused));
     exit_code = kExitBadInput;
   }
   if (unprinted) throw *unprinted;

@@ -8,6 +8,7 @@
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/lab/family.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
@@ -43,7 +44,7 @@ void thin_scene(const ThinOptions& options, const Voice& voice) {
              formats::counted(scene.objects.size(), "object", "objects"));
   voice.note(thin.guarantee);
   std::string left;
-  for (const SceneObject& object : thin.scene.objects) left += " " + object.id;
+  for (const SceneObject& object : thin.scene.objects) left += " " + formats::plain(object.id);
   voice.detail("left are:" + left);
 }
 

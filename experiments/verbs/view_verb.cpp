@@ -14,6 +14,7 @@
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/log_reader.h"
 #include "experiments/formats/model_text.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
 #include "experiments/lab/colours.h"
@@ -208,7 +209,7 @@ std::string line_of(const view::RecordedRun& run) {
   if (!run.complete) text += " (not all: " + run.stopped + ")";
   for (const view::RecordedStructure& structure : run.structures) {
     if (structure.corrupt_after) {
-      text += "\n          " + structure.label + " became corrupt: " + structure.corruption;
+      text += "\n          " + formats::plain(structure.label) + " became corrupt: " + structure.corruption;
     }
   }
   return text + "\n";
@@ -254,7 +255,7 @@ void view(const ViewOptions& options, const Voice& voice, int& exit_code) {
                  formats::counted(runs.back().claims.size(), "certificate", "certificates") +
                  ", digest " + runs.back().digest);
     if (!problem.empty()) {
-      voice.error(problem + "; no page was written");
+      voice.error(formats::plain(problem) + "; no page was written");
       exit_code = kExitFailed;
       return;
     }

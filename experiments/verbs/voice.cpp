@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/numbers/show_text.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/verbs/option_values.h"
 
 namespace kinex::verbs {
@@ -59,15 +60,15 @@ void Voice::report(const std::string& text) const {
 }
 
 void Voice::note(const std::string& text) const {
-  if (!quiet) std::fprintf(stderr, "kinex: %s\n", text.c_str());
+  if (!quiet) std::fprintf(stderr, "kinex: %s\n", formats::plain(text, '\n').c_str());
 }
 
 void Voice::detail(const std::string& text) const {
-  if (verbose) std::fprintf(stderr, "kinex: %s\n", text.c_str());
+  if (verbose) std::fprintf(stderr, "kinex: %s\n", formats::plain(text, '\n').c_str());
 }
 
 void Voice::error(const std::string& text) const {
-  std::fprintf(stderr, colour_err ? "\x1b[1;31mkinex:\x1b[0m %s\n" : "kinex: %s\n", text.c_str());
+  std::fprintf(stderr, colour_err ? "\x1b[1;31mkinex:\x1b[0m %s\n" : "kinex: %s\n", formats::plain(text, '\n').c_str());
 }
 
 std::string Voice::heading(const std::string& text) const {
