@@ -14,6 +14,7 @@
 #include "core/numbers/near_names.h"
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
 #include "experiments/lab/colours.h"
@@ -112,17 +113,6 @@ lab::WorkloadParameters parameters_of(const GenOptions& options, const lab::Work
   return parameters;
 }
 
-// Polygons of extreme sizes may degenerate in the doubles with which some families place vertices.
-void check_bodies(const Scene& scene, const lab::Workload& workload) {
-  try {
-    formats::parse_scene(formats::write_scene(scene), "the scene");
-  } catch (const formats::InputError& error) {
-    throw formats::InputError(
-        "gen", "", std::string(workload.name) + " cannot be made of these sizes: " + error.what(),
-        "choose sizes and --separation nearer to 1");
-  }
-}
-
 // Structures are no workloads, but easily taken for them.
 [[noreturn]] void refuse(const std::string& name) {
   std::vector<std::string> known, structures;
@@ -211,6 +201,33 @@ std::string remedy_for(const StructureInfo& info, const lab::Workload& workload,
          " --maintain " + std::string(info.name);
 }
 
+// What to do about a scene that the reader refuses.
+std::string remedy_for(const Scene& scene, const lab::Workload& workload,
+                       const std::vector<const StructureInfo*>& structures) {
+  if (scene.has_bodies()) return "choose sizes and --separation nearer to 1";
+  for (const StructureInfo* info : structures) {
+    const lab::ExampleScene example = lab::example_scene(*info);
+    if (example.workload == nullptr || example.workload == &workload) continue;
+    return "choose another workload: kinex gen " + std::string(example.workload->name) +
+           " --maintain " + std::string(info->name);
+  }
+  return "choose smaller sizes (kinex gen " + std::string(workload.name) + " --help names them)";
+}
+
+// What is written must be read. Polygons of extreme sizes may degenerate in the doubles with which some families place
+// vertices, degrees may grow with a size, and objects of one kind cannot be given what those of another have.
+void check_scene(const Scene& scene, const std::string& text, const lab::Workload& workload,
+                 const std::vector<const StructureInfo*>& structures) {
+  try {
+    formats::parse_scene(text, "the scene");
+  } catch (const formats::InputError& error) {
+    throw formats::InputError(
+        "gen", "", std::string(workload.name) + " cannot be made of these " +
+                       (scene.has_bodies() ? "sizes: " : "options: ") + error.place() + ": " + error.problem(),
+        remedy_for(scene, workload, structures));
+  }
+}
+
 void generate(const GenOptions& options, const Voice& voice) {
   if (options.list) {
     print(listed(kAnyLength));
@@ -231,9 +248,10 @@ void generate(const GenOptions& options, const Voice& voice) {
   }
   if (!options.maintain.empty()) formats::set_maintain(scene, options.maintain);
   lab::name_colours(scene);
-  if (scene.has_bodies()) check_bodies(scene, *workload);
-  write_result(options.output, options.force, formats::write_scene(scene));
-  voice.detail(scene.name + ", " + formats::counted(scene.objects.size(), "object", "objects") +
+  const std::string text = formats::write_scene(scene);
+  check_scene(scene, text, *workload, structures);
+  write_result(options.output, options.force, text);
+  voice.detail(formats::plain(scene.name) + ", " + formats::counted(scene.objects.size(), "object", "objects") +
                ", hash " + formats::scene_hash(scene));
 }
 

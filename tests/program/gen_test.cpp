@@ -87,6 +87,17 @@ TEST(Gen, WhatAStructureNeeds) {
                  "the objects would have to be of another kind");
 }
 
+// What is written is read.
+TEST(Gen, WhatNobodyReadsIsNotWritten) {
+  EXPECT_EQ(gen({"breathing", "--n", "100"}).exit_code, 0);
+  expect_refused({"breathing", "--n", "101"},
+                 "gen: breathing cannot be made of these options: /objects/3/weight: a weight of degree 101; "
+                 "choose smaller sizes (kinex gen breathing --help names them)");
+  expect_refused({"random-graph", "--maintain", "disc_pairs_all"},
+                 "gen: random-graph cannot be made of these options: /objects/0/ends: vertices of a disc; "
+                 "choose another workload: kinex gen uniform-square --maintain disc_pairs_all");
+}
+
 // Discs are boxes, and have weights: one scene is for all three.
 TEST(Gen, ObjectsForSeveralStructures) {
   for (const char* maintain :
