@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex thin: the few points of a scene whose diameter is nearly that of all, at all times.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
-#include "experiments/formats/plain_text.h"
 #include "experiments/lab/family.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
@@ -22,6 +24,33 @@ struct ThinOptions {
   std::string scene, output, error = "1/50";
   bool force = false;
 };
+
+// The colours that requests name, or those that they read.
+void add_colours(const std::vector<Request>& requests, std::vector<std::string>& colours) {
+  for (const Request& request : requests) {
+    colours.insert(colours.end(), request.colours.begin(), request.colours.end());
+    colours.insert(colours.end(), request.of.colours.begin(), request.of.colours.end());
+    add_colours(request.over, colours);
+  }
+}
+
+// Of every colour that a request names the first object stays: a colour that nobody has cannot be named. A request of
+// these objects, the last one, keeps them for the time of thinning.
+lab::ThinnedScene thin_with_colours(const Scene& scene, const lab::Thinning& method, const Rational& error) {
+  Scene named = scene;
+  std::vector<std::string> colours;
+  add_colours(scene.maintain, colours);
+  Request& last = named.maintain.emplace_back();
+  for (const std::string& colour : colours) {
+    const auto has_it = [&colour](const SceneObject& object) { return object.colour == colour; };
+    const auto first = std::find_if(scene.objects.begin(), scene.objects.end(), has_it);
+    if (first == scene.objects.end()) continue;
+    last.of.objects.push_back(static_cast<ObjectId>(first - scene.objects.begin()));
+  }
+  lab::ThinnedScene thin = method.thin(named, error);
+  thin.scene.maintain.pop_back();
+  return thin;
+}
 
 void thin_scene(const ThinOptions& options, const Voice& voice) {
   const lab::Thinning& method = *lab::known_thinning();
@@ -38,7 +67,7 @@ void thin_scene(const ThinOptions& options, const Voice& voice) {
     const std::size_t end = refusal.find("; ");
     throw formats::InputError(options.scene, "", refusal.substr(0, end), refusal.substr(end + 2));
   }
-  const lab::ThinnedScene thin = method.thin(scene, error);
+  const lab::ThinnedScene thin = thin_with_colours(scene, method, error);
   write_result(options.output, options.force, formats::write_scene(thin.scene));
   voice.note(std::to_string(thin.scene.objects.size()) + " of " +
              formats::counted(scene.objects.size(), "object", "objects"));
@@ -66,7 +95,8 @@ void add_thin_verb(CLI::App& app, int&) {
             "Name the points that are left, on standard error");
   verb->footer(
       "The guarantee is a theorem, made in exact arithmetic; the width has none.\n"
-      "Points that keys, queries and \"of\" of \"maintain\" name are kept.\n"
+      "Points that keys, queries and \"of\" of \"maintain\" name are kept, and one of each\n"
+      "colour that it names.\n"
       "Example:\n  kinex thin square.json --error 1/50 -o thin.json");
   verb->callback([options, verb] { thin_scene(*options, voice_of(*verb)); });
 }

@@ -66,6 +66,25 @@ TEST(ThinVerb, WritesASceneThatKeepsTheDiameter) {
   EXPECT_EQ(out.out, read_file(thin));
 }
 
+// Nobody may name a colour that no object has.
+TEST(ThinVerb, KeepsOneOfEachColourThatIsNamed) {
+  ScratchFolder scratch;
+  const std::string scene = scratch.file("scene.json"), thin = scratch.file("thin.json");
+  write_file(scene, R"({"kinex": 1, "dimension": 2, "time": {"start": 0, "end": 1}, "objects": [
+    {"id": "a", "motion": [[-9], [-9]]}, {"id": "b", "motion": [[9], [-9]]}, {"id": "c", "motion": [[0], [9]]},
+    {"id": "r", "motion": [[0], [0]], "colour": "red"}, {"id": "s", "motion": [[1], [0]], "colour": "red"},
+    {"id": "t", "motion": [[0], [1]], "colour": "blue"}, {"id": "u", "motion": [[0], [2]], "colour": "green"},
+    {"id": "v", "motion": [[1], [1]], "colour": "grey"}],
+    "maintain": ["diameter_2", {"structure": "bichromatic_pair_all", "colours": ["red", "blue"]},
+      {"structure": "sorted_list", "of": "green"}]})");
+  const Finished run = run_kinex({"thin", scene, "--error", "1/2", "-o", thin});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  std::string left;
+  for (const SceneObject& object : formats::read_scene(thin).objects) left += object.id;
+  EXPECT_EQ(left, "abcrtu");
+  EXPECT_EQ(run_kinex({"run", thin}).exit_code, 0);
+}
+
 TEST(ThinVerb, RefusesByName) {
   ScratchFolder scratch;
   const auto made = [&scratch](const char* name, std::vector<std::string> how) {
