@@ -226,11 +226,9 @@ std::string conversion_problem(const CLI::App& app, const std::string& message) 
   const std::string name = message.substr(colon + 2, equals - colon - 2);
   const CLI::Option* const option = verb.get_option_no_throw(name);
   const bool real = option != nullptr && option->get_type_name() == "FLOAT";
-  const bool size = name == "--n" || name == "--m";
-  return name + ": " + show_text(message.substr(equals + 3)) +
-         (real ? " is not a number; write one, as 2.5"
-               : " is not a whole number that fits; write one" +
-                     (size ? " from 1 to " + std::to_string(lab::kMaxWorkloadSize) : ", as 100"));
+  const std::string word = message.substr(equals + 3);
+  return name + ": " + (real ? show_text(word) + " is not a number; write one, as 2.5"
+                             : whole_number_problem(name, word));
 }
 
 // "NAME: At Most 1 required but received 2"
@@ -259,6 +257,12 @@ const CLI::App& innermost(const CLI::App& app) {
   const CLI::App* at = &app;
   while (!at->get_subcommands().empty()) at = at->get_subcommands().back();
   return *at;
+}
+
+std::string whole_number_problem(const std::string& option, const std::string& word) {
+  const bool size = option == "--n" || option == "--m";
+  return show_text(word) + " is not a whole number that fits; write one" +
+         (size ? " from 1 to " + std::to_string(lab::kMaxWorkloadSize) : ", as 100");
 }
 
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {

@@ -17,6 +17,9 @@ const CLI::App& innermost(const CLI::App& app);
 
 // The message for a command line that could not be parsed: the verb or option, the problem, a remedy;
 // for an unknown verb or option also the names that are near.
+// The reason why a word is no value of an option that takes a whole number, and what to write.
+std::string whole_number_problem(const std::string& option, const std::string& word);
+
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace kinex::verbs

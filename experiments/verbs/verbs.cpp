@@ -2,7 +2,12 @@
 #include "experiments/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
+#include <string>
+#include <system_error>
 
+#include "experiments/verbs/usage_error.h"
 #include "experiments/verbs/voice.h"
 
 namespace kinex::verbs {
@@ -11,18 +16,38 @@ namespace {
 
 // An empty word, as a shell gives for a variable that is not set, is no name and no number. As if the option
 // were left out it would cost a whole run, whose result is nowhere.
-void refuse_empty_words(CLI::App& app) {
+std::string refuse_empty(const std::string& word) {
+  return word.empty() ? "the word \"\" is empty; write one, or leave the option out" : std::string();
+}
+
+// Whole numbers are decimal, whatever they begin with, and are never cut to what fits. Returns false for other words.
+template <class Integer>
+bool make_decimal(std::string& word) {
+  Integer value = 0;
+  const char* const end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data(), end, value);
+  if (error != std::errc() || rest != end) return false;
+  word = std::to_string(value);
+  return true;
+}
+
+void check_words(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
     if (option->get_items_expected_max() == 0) continue;
-    option->check(CLI::Validator(
-        [](const std::string& word) {
-          return word.empty() ? "the word \"\" is empty; write one, or leave the option out"
-                              : std::string();
+    option->check(CLI::Validator(refuse_empty, ""));
+    const std::string type = option->get_type_name();
+    if (type != "INT" && type != "UINT") continue;
+    option->transform(CLI::Validator(
+        [name = option->get_name(), is_signed = type == "INT"](std::string& word) {
+          if (word.empty()) return refuse_empty(word);
+          const bool is_whole =
+              is_signed ? make_decimal<std::int64_t>(word) : make_decimal<std::uint64_t>(word);
+          return is_whole ? std::string() : whole_number_problem(name, word);
         },
         ""));
   }
   for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
-    refuse_empty_words(*verb);
+    check_words(*verb);
   }
 }
 
@@ -49,7 +74,7 @@ void add_verbs(CLI::App& app, int& exit_code) {
   add_completion_verb(app, exit_code);
   add_help_verb(app, exit_code);
   add_voice_options(app);
-  refuse_empty_words(app);
+  check_words(app);
 }
 
 }  // namespace kinex::verbs

@@ -98,6 +98,17 @@ TEST(Gen, WhatNobodyReadsIsNotWritten) {
                  "choose another workload: kinex gen uniform-square --maintain disc_pairs_all");
 }
 
+// Decimal digits, whatever they begin with.
+TEST(Gen, SizesAreDecimal) {
+  const Finished ten = gen({"grid", "--n", "10"});
+  EXPECT_EQ(gen({"grid", "--n", "010"}).out, ten.out);
+  EXPECT_EQ(gen({"grid", "--n", "0000000000000000000000010"}).out, ten.out);
+  expect_refused({"grid", "--n", "0x10"},
+                 "--n: \"0x10\" is not a whole number that fits; write one from 1 to 10000000");
+  expect_refused({"grid", "--degree", "0x1"},
+                 "--degree: \"0x1\" is not a whole number that fits; write one, as 100");
+}
+
 // Discs are boxes, and have weights: one scene is for all three.
 TEST(Gen, ObjectsForSeveralStructures) {
   for (const char* maintain :

@@ -180,6 +180,10 @@ TEST_F(Program, BadOptionValues) {
   expect_bad_input({"run", scene_, "--audit", "never"}, "--audit: \"never\" is not a level");
   expect_bad_input({"run", scene_, "--max-events", "-1"},
                    "kinex: --max-events: -1 is below 0; write a number from 0 on, 0 for no limit");
+  for (const char* verb : {"run", "view"}) {
+    expect_bad_input({verb, scene_, "--max-events", "18446744073709551616"},
+                     "--max-events: \"18446744073709551616\" is not a whole number that fits; write one, as 100");
+  }
   expect_bad_input({"run", scene_, "--max-seconds", "-2.5"}, "kinex: --max-seconds: -2.5 is below 0; write a number from");
   expect_bad_input({"trade", scene_, "--max-seconds", "-1"},
                    "kinex: --max-seconds: -1 is not above 0; write a number above 0, or leave it out for 120");
