@@ -4,15 +4,17 @@
 #include <csignal>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "core/numbers/stop.h"
 #include "experiments/formats/input_error.h"
-#include "experiments/lab/gmp_memory.h"
 #include "experiments/formats/plain_text.h"
+#include "experiments/lab/gmp_memory.h"
 #include "experiments/lab/machine.h"
 #include "experiments/verbs/help_format.h"
+#include "experiments/verbs/option_values.h"
 #include "experiments/verbs/usage_error.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
@@ -38,7 +40,9 @@ int run(CLI::App& app, int argc, char** argv, int& exit_code) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
-    app.exit(success);  // --help, --version
+    std::ostringstream text;  // of --help, --version
+    app.exit(success, text, text);
+    verbs::print(text.str());
   } catch (const CLI::ParseError& error) {
     verbs::voice_of(verbs::innermost(app)).error(verbs::usage_message(app, error));
     return verbs::kExitBadInput;
@@ -81,10 +85,10 @@ int main(int argc, char** argv) {
     return verbs::kExitGaveUp;
   } catch (const std::invalid_argument& error) {
     // A run detects errors that no reader can, such as bodies that turn against each other.
-    tell(error.what());
+    tell(kinex::formats::plain(error.what()));
     return verbs::kExitBadInput;
   } catch (const kinex::view::MisreportedEvents& error) {
-    tell(kinex::formats::plain(error.what()));
+    tell(error.what());
     return verbs::kExitFailed;
   } catch (const std::exception& error) {
     tell(std::string("internal error: ") + error.what() + "; please report it with the input");

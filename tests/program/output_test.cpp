@@ -113,7 +113,8 @@ TEST_F(Output, FullDisks) {
 TEST_F(Output, StandardOutputThatIsFull) {
   for (const Words& command :
        {Words{"gen", "grid"}, Words{"import", table_}, Words{"run", scene_},
-        Words{"run", scene_, "--json"}, Words{"check", scene_}, Words{"gen", "--list"}}) {
+        Words{"run", scene_, "--json"}, Words{"check", scene_}, Words{"gen", "--list"}, Words{"--help"},
+        Words{"run", "--help"}, Words{"sweep", "run", "--help"}, Words{"--version"}, Words{"help"}}) {
     const Finished finished = run_kinex(command, "", "/dev/full");
     EXPECT_EQ(finished.exit_code, 2) << command[0];
     EXPECT_THAT(finished.err, HasSubstr("standard output: cannot be written: No space left"));
