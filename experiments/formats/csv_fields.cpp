@@ -37,13 +37,13 @@ Rational csv_number(const CsvTable& table, const CsvRow& row, std::size_t column
 
 void check_csv_id(const std::string& id, const std::string& file, const std::string& where) {
   if (id.empty()) throw InputError(file, where, "an empty id", "write a name");
-  if (id.size() > kMaxIdBytes) {
-    throw InputError(file, where, "an id of " + std::to_string(id.size()) + " bytes",
-                     "write at most 1000");
-  }
   if (!is_utf8(id)) {
     throw InputError(file, where, "the id " + show_text(id) + " is not UTF-8",
                      "convert the file to UTF-8");
+  }
+  if (id.size() > kMaxIdLength && characters(id) > kMaxIdLength) {
+    throw InputError(file, where, "an id of " + std::to_string(characters(id)) + " characters",
+                     "write at most 1000");
   }
 }
 

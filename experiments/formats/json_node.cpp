@@ -100,11 +100,11 @@ int JsonNode::integer(int low, int high) const {
   const std::string range =
       "write an integer from " + std::to_string(low) + " to " + std::to_string(high);
   if (!is(JsonValue::Kind::kNumber)) refuse("an integer", range);
-  const std::optional<Integer> parsed = Integer::parse(value_->text());
-  if (!parsed || *parsed < Integer(low) || *parsed > Integer(high)) {
+  const Rational number = rational();
+  if (number.denominator() != Integer(1) || number < Rational(low) || Rational(high) < number) {
     refuse("an integer from " + std::to_string(low) + " to " + std::to_string(high), range);
   }
-  return static_cast<int>(parsed->to_int64());
+  return static_cast<int>(number.numerator().to_int64());
 }
 
 void JsonNode::require_array() const {

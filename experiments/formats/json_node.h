@@ -43,7 +43,7 @@ class JsonNode {
   Rational rational() const;
   // The same, into a number that is there already: no allocation but for its digits.
   void read(Rational& number) const;
-  // A JSON number that is an integer in [low, high].
+  // A JSON number that is an integer in [low, high], however it is written: 2, 2.0 or 2e0.
   int integer(int low, int high) const;
   void require_array() const;
   void require_object(std::initializer_list<std::string_view> allowed) const {

@@ -14,6 +14,7 @@
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_node.h"
 #include "experiments/formats/scene_parts.h"
+#include "experiments/formats/utf8.h"
 #include "experiments/formats/weights.h"
 
 namespace kinex::formats {
@@ -22,7 +23,7 @@ namespace {
 
 void read_version(const JsonNode& scene) {
   const JsonNode version = scene.member("kinex");
-  if (version.is(JsonValue::Kind::kNumber) && version.value().text() == "1") return;
+  if (version.is(JsonValue::Kind::kNumber) && version.rational() == Rational(1)) return;
   version.refuse("a version of the scene format that this program reads", "write \"kinex\": 1");
 }
 
@@ -134,8 +135,8 @@ void read_objects(const JsonNode& node, Scene& scene) {
                           "half_extents", "line"});
     const JsonNode id = entry.member("id");
     if (id.string().empty()) id.fail("an empty id", "write a name");
-    if (id.string().size() > kMaxIdBytes) {
-      id.fail("an id of " + std::to_string(id.string().size()) + " bytes", "write at most 1000");
+    if (id.string().size() > kMaxIdLength && characters(id.string()) > kMaxIdLength) {
+      id.fail("an id of " + std::to_string(characters(id.string())) + " characters", "write at most 1000");
     }
     const std::size_t first = seen.add(id.string());
     if (first != i) {

@@ -23,7 +23,7 @@ inline constexpr int kMaxDimension = 3;
 inline constexpr int kMaxMotionDegree = 1000;
 inline constexpr int kMaxRotorDegree = 100;
 inline constexpr int kMaxExtentDegree = 100;
-inline constexpr std::size_t kMaxIdBytes = 1000;
+inline constexpr std::size_t kMaxIdLength = 1000;  // characters
 
 // `file` is for messages only. `deadline` is polled between numbers (null: none); one number takes
 // a fraction of a second at most.

@@ -15,6 +15,9 @@ std::size_t first_not_utf8(std::string_view text);
 // True if `text` is well-formed UTF-8 (RFC 3629: no surrogates, no overlong forms).
 bool is_utf8(std::string_view text);
 
+// Of well-formed UTF-8: how many characters (code points) it has.
+std::size_t characters(std::string_view text);
+
 }  // namespace kinex::formats
 
 #endif

@@ -49,6 +49,14 @@ def exact(value, place):
     raise BadInput("%s: %s is not a number that this program reads; %s" % (place, json.dumps(value), CORRECT_IT))
 
 
+def whole(value, place):
+    """The integer that is written, as 2, 2.0 or 2e0."""
+    number = exact(value, place)
+    if number.denominator != 1:
+        raise BadInput("%s: %s is not an integer; %s" % (place, value, CORRECT_IT))
+    return int(number)
+
+
 CORRECT_IT = "correct it there: kinex check SCENE says how"
 SCENE_REMEDY = "give the scene that was run, as kinex gen or kinex import writes it"
 LOG_REMEDY = "give an event log, as kinex run SCENE --events LOG writes it"
@@ -148,7 +156,7 @@ class Scene:
         if '"kinex-log"' in text.partition("\n")[0]:
             raise BadInput("%s: this is an event log, not a scene; %s" % (path, SCENE_REMEDY))
         tree = load_json(text, path, SCENE_REMEDY)
-        if not isinstance(tree, dict) or tree.get("kinex") != 1:
+        if not isinstance(tree, dict) or "kinex" not in tree or whole(tree["kinex"], path + ": /kinex") != 1:
             raise BadInput("%s: not a kinex scene of version 1; %s" % (path, SCENE_REMEDY))
         try:
             self.read(tree)
@@ -167,7 +175,7 @@ class Scene:
 
     def read(self, tree):
         self.name = tree.get("name", "")
-        self.dimension = tree["dimension"]
+        self.dimension = whole(tree["dimension"], self.path + ": /dimension")
         self.start = exact(tree["time"]["start"], self.path + ": /time/start")
         end = tree["time"].get("end")
         self.end = None if end is None else exact(end, self.path + ": /time/end")

@@ -151,9 +151,9 @@ TEST(CsvImport, IdsAreThoseThatAScenesReaderTakes) {
                        "t.csv: line 3: the id");
     EXPECT_FALSE(formats::is_utf8(id));
   }
-  const std::string longest(formats::kMaxIdBytes, 'a');
+  const std::string longest(formats::kMaxIdLength, 'a');
   EXPECT_INPUT_ERROR(import("id,x,vx\na" + longest + ",0,1\n"),
-                     "t.csv: line 2: an id of 1001 bytes");
+                     "t.csv: line 2: an id of 1001 characters");
   for (const std::string& id :
        std::initializer_list<std::string>{"\xc3\xa9", "\xe2\x82\xac", "\xf0\x9d\x84\x9e",
                                           "\xf4\x8f\xbf\xbf", "tab\t\x01", longest}) {
