@@ -34,6 +34,7 @@
 #include "experiments/lab/structure_words.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
+#include "experiments/verbs/refused_scene.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
 
@@ -324,7 +325,7 @@ void run(const RunOptions& options, const Voice& voice, int& exit_code) {
     simulate();
   } catch (const RefusedChange& change) {
     // The part up to it is made once more, and kept.
-    refused = change.what();
+    refused = refused_scene(scene, options.scene, change).what();
     simulator_options.stop_before = change.time();
     log.reset();
     if (events_file) {
@@ -332,6 +333,8 @@ void run(const RunOptions& options, const Voice& voice, int& exit_code) {
       events_file.emplace(options.events, options.force, formats::Unfinished::kLinesKept);
     }
     simulate();
+  } catch (const std::invalid_argument& error) {
+    throw refused_scene(scene, options.scene, error);
   }
   if (log) log->finish(outcome.status);
   const std::string digest = log ? log->digest() : "";

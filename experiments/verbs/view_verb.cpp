@@ -21,6 +21,7 @@
 #include "experiments/lab/progress.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
+#include "experiments/verbs/refused_scene.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
 #include "experiments/view/log_follower.h"
@@ -195,6 +196,8 @@ std::string record(const Viewed& viewed, const Wanted& wanted, const ViewOptions
     const bool second = &wanted != &viewed.runs.front();
     if (!second || error.file() != "--arithmetic") throw;
     throw formats::InputError("--with", error.place(), error.problem(), error.remedy());
+  } catch (const std::invalid_argument& error) {
+    throw refused_scene(viewed.scene, options.scene.empty() ? options.file : options.scene, error);
   }
   if (!follower) return "";
   if (run.complete) follower->finish();
