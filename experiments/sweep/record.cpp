@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
+#include <sstream>
 
 #include "experiments/formats/canonical_json.h"
 #include "experiments/formats/input_error.h"
@@ -138,6 +140,20 @@ bool are_counts(const formats::JsonValue& of) {
          });
 }
 
+// Numbers between spaces (lab/field_archive.h). In binary are seconds, and ratios of them: what is damaged there may be
+// beyond all that a plot can have an axis for.
+bool are_times(const std::string& text) {
+  constexpr double kMost = 1e15, kLeast = 1e-15;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (word.find("0x") == word.npos) continue;
+    char* end = nullptr;
+    const double value = std::abs(std::strtod(word.c_str(), &end));
+    if (*end != '\0' || (value != 0 && !(value >= kLeast && value <= kMost))) return false;
+  }
+  return true;
+}
+
 // As far as tables are made of it.
 bool is_result(const formats::JsonValue& exact) {
   if (exact.kind() != Kind::kObject || exact.items().empty()) return false;
@@ -176,6 +192,7 @@ Record parse_record(std::string_view line, const std::string& file, std::size_t 
   record.peak_kb = static_cast<long>(fields.whole("peak_kb"));
   record.ended = fields.text("ended");
   record.times = fields.text("times");
+  if (!are_times(record.times)) fields.fail("its times are none that a cell takes");
   const formats::JsonValue& exact = fields.member("exact");
   const bool is_there = exact.kind() != Kind::kNull;
   if (is_there ? !is_result(exact) : record.outcome == Outcome::kDone) {

@@ -143,6 +143,22 @@ TEST_F(SweepAttempts, AResultHasItsShape) {
   }
 }
 
+// Seconds with a damaged exponent: no plot has an axis for them.
+TEST_F(SweepAttempts, TimesAreSeconds) {
+  for (const char* times : {"1 0x1.8p+1023 ", "0x1p-1000 ", "-0x1p+99999 ", "0x1.8q+3 ", "0x"}) {
+    SCOPED_TRACE(times);
+    Record damaged = record(0);
+    damaged.times = times;
+    const std::string path = write({damaged});
+    EXPECT_INPUT_ERROR(read_attempts({folder_}), path + ": line 2: its times are none that a cell takes");
+    fs::remove(path);
+  }
+  Record right = record(0);
+  right.times = "2 0x0p+0 0x1.8p-30 1 0x1.6d0dd4471d288p+10 ";
+  write({right});
+  EXPECT_EQ(read_attempts({folder_}).front().records.front().times, right.times);
+}
+
 TEST_F(SweepAttempts, AKeyBelongsToItsCell) {
   Record wrong = record(0);
   wrong.key = record(1).key;
