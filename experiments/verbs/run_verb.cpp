@@ -387,7 +387,7 @@ void add_run_verb(CLI::App& app, int& exit_code) {
                  "Name the build, the processor and this command in the log's header, too");
   verb->add_option("--summary", options->summary, "Write the summary to this file, - prints it");
   add_list_option(*verb, "--at", options->at,
-                  "Sample the attributes right after these times: T, ..");
+                  "Sample the attributes right after these times, T, ..; those that others read, too, as LABEL.NAME");
   verb->add_option("--query", options->query,
                    "The points in this closed box, X1,X2,Y1,Y2, right after the times of --at; can be "
                    "given several times")
