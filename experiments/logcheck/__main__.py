@@ -98,6 +98,11 @@ def verdict(checker):
         done, levels_text(undone), "was" if len(undone) == 1 else "were", checker.wanting)
 
 
+def plain(text):
+    """Names in a message may hold what a terminal obeys: control characters are written out."""
+    return "".join(json.dumps(c)[1:-1] if c < " " else "\\u%04x" % ord(c) if "\x7f" <= c <= "\x9f" else c for c in text)
+
+
 def report(options, status, message, line, checker, remedy):
     done = checker.done if checker else {}
     undone = checker.undone if checker else {}
@@ -112,7 +117,7 @@ def report(options, status, message, line, checker, remedy):
     if status != "fine":
         where = options.log + (":%d" % line if line else "")
         text = message if status == "bad input" else "%s: %s; %s" % (where, message, remedy)
-        print("kinex-logcheck: %s" % text, file=sys.stderr)
+        print("kinex-logcheck: %s" % plain(text), file=sys.stderr)
         return
     for k in sorted(options.levels):
         if k in done:
@@ -120,9 +125,9 @@ def report(options, status, message, line, checker, remedy):
         else:
             print("level %d  not done  %s" % (k, undone.get(k, "not asked for")))
     for label in checker.missing:
-        print("structure %s has no replay: it was not followed" % label)
+        print("structure %s has no replay: it was not followed" % plain(label))
     for label, what in checker.partly.items():
-        print("structure %s was followed but for its %s" % (label, what))
+        print("structure %s was followed but for its %s" % (plain(label), what))
     print("%s: %s" % (options.log, verdict(checker)))
 
 

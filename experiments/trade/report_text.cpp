@@ -7,6 +7,7 @@
 #include <set>
 
 #include "experiments/formats/counted.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/trade/standings.h"
 
 namespace kinex::trade {
@@ -104,7 +105,7 @@ std::vector<std::string> run_texts(const CaseResult& one, const TradeRun& run) {
 
 std::string case_heading(const CaseResult& one) {
   const std::string what =
-      fmt::format("{}, {}, n = {}", one.which.structure, one.which.name, one.objects);
+      fmt::format("{}, {}, n = {}", formats::plain(one.which.structure), formats::plain(one.which.name), one.objects);
   if (!one.problem.empty()) return what + ": " + one.problem;
   return fmt::format("{}: {} at {}; {}", what, formats::counted(one.events, "log record", "log records"),
                      formats::counted(one.bits.instants, "instant", "instants"),

@@ -9,6 +9,7 @@
 
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/lab/progress.h"
 #include "experiments/lab/scene_run.h"
 #include "experiments/lab/time_taken.h"
@@ -106,11 +107,11 @@ trade::TradeResult run(const trade::TradeCatalogue& catalogue, const TradeOption
   trade::TradeWatch watch;
   watch.on_work = [&](std::size_t index, const std::string& what) {
     pieces.started(index);  // of a case with several runs, at the first one
-    progress.show([&](double) { return pieces.text(index, what); });
+    progress.show([&](double) { return pieces.text(index, formats::plain(what)); });
   };
   watch.on_finished = [&](std::size_t index) { pieces.finished(index); };
   watch.on_case = [&](const trade::CaseResult& one) {
-    tell(one.scene_name + ", " + one.which.structure + ": " +
+    tell(formats::plain(one.scene_name + ", " + one.which.structure) + ": " +
          formats::counted(one.runs.size(), "run", "runs") + ", " + lab::duration_text(one.seconds));
     show(trade::table_of(one), trade::json_row(one));
   };
@@ -143,7 +144,7 @@ void trade(const TradeOptions& options, int& exit_code) {
   const lab::PageFacts facts = facts_of(command_of(options));
   if (markdown) markdown->write(trade::trade_markdown(result, facts));
   std::string faults;
-  for (const std::string& fault : result.faults()) faults += "FAIL " + fault + "\n";
+  for (const std::string& fault : result.faults()) faults += "FAIL " + formats::plain(fault) + "\n";
   files.write({trade::trade_database(result, facts.build, facts.machine), rows,
                trade::trade_report(result, facts), facts, "",
                [&](const lab::TimeTaken& taken) { return trade::verdict_line(result, taken); }, faults},

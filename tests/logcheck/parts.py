@@ -401,6 +401,13 @@ class CommandLine(unittest.TestCase):
 
         self.assertEqual(hash_of({"structure": "sorted_list"}), hash_of("sorted_list"))
 
+    def test_names_that_a_terminal_would_obey(self):
+        self.log = self.folder / "no\x1b\n\x9b"
+        code, text = self.run_it()
+        self.assertEqual(code, 2)
+        self.assertIn("no\\u001b\\n\\u009b", text)
+        self.assertNotRegex(text[:-1], "[\x00-\x1f\x7f-\x9f]")
+
     def test_a_scene_of_two_objects_with_one_id(self):
         self.write()
         self.scene.write_text(json.dumps(dict(SCENE, objects=[SCENE["objects"][0]] * 2)))

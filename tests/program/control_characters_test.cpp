@@ -64,6 +64,14 @@ TEST(ControlCharacters, DoNotReachTheTerminal) {
   expect_plain({"view", scene, "-o", page, "-v"}, {"scene     n\\u001b[31m\\n, 3 objects"});
 }
 
+TEST(ControlCharacters, NorInTables) {
+  ScratchFolder scratch;
+  const std::string scene = scratch.file("scene.json");
+  write_file(scene, kPoints);
+  expect_plain({"trade", scene, "--arithmetic", "gsl", "-o", scratch.file("trade"), "-v"},
+               {"l\\u001b\\n, n\\u001b[31m\\n, n = 3"});
+}
+
 TEST(ControlCharacters, NorInMessages) {
   ScratchFolder scratch;
   const std::string scene = scratch.file("scene.json");
