@@ -25,7 +25,7 @@ std::string exponent_between(const FitPoint& first, const FitPoint& second) {
 }  // namespace
 
 GrowthOrder growth_order(const std::optional<Fit>& power, double exponent) {
-  if (!power || power->degrees < 2) return GrowthOrder::kUntold;
+  if (!power || power->degrees < 2 || is_improbable(*power)) return GrowthOrder::kUntold;
   if (power->lower > exponent) return GrowthOrder::kFaster;
   return power->upper < exponent ? GrowthOrder::kSlower : GrowthOrder::kUntold;
 }

@@ -19,7 +19,8 @@ namespace kinex::lab {
 enum class GrowthOrder {
   kFaster,  // the whole 95 % interval is above it
   kSlower,  // the whole interval is below it
-  kUntold   // it contains it; or there is no fit, or one with fewer than two degrees of freedom
+  kUntold  // it contains it; or there is no fit, one with fewer than two degrees of freedom, or one
+           // whose chi squared chance does not explain
 };
 GrowthOrder growth_order(const std::optional<Fit>& power, double exponent);
 

@@ -55,8 +55,9 @@ std::string claims_json(const lab::Paper& paper, const std::vector<ReproducedPar
 
 std::string paper_readme(const lab::Paper& paper, const std::vector<ReproducedPart>& parts,
                          const ReproductionFacts& facts, bool drawn) {
-  std::string text = fmt::format("# {}\n\nMade by {}. All runs are exact and audited.\n",
-                                 paper.title, made_by(facts));
+  std::string text = fmt::format(
+      "# {}\n\nMade by {}. All runs are exact, and audited where no note says otherwise.\n",
+      paper.title, made_by(facts));
   for (const ReproducedPart& part : parts) {
     text += fmt::format("\n## {}: {}\n\n", part.part->name, part.part->summary);
     if (part.interrupted)

@@ -195,8 +195,9 @@ void add_reproduce_verb(CLI::App& app, int& exit_code) {
   add_voice(*verb, "Print errors, and with --json claims.json",
             "Name every run when it starts, on standard error");
   verb->footer(
-      "Every run is exact and audited. What is finished is kept in reproduce.unfinished\n"
-      "until all is: after an interruption the same command goes on from there.\n"
+      "Every run is exact, and audited where no note says otherwise. What is finished is\n"
+      "kept in reproduce.unfinished until all is: after an interruption the same command\n"
+      "goes on from there.\n"
       "Exit codes: 1 a claim is refuted that has no known counterexample, an audit or a\n"
       "bound failed, the log of a small run is refused; 3 interrupted, or the program\n"
       "of --logcheck did not check a claim.\n"

@@ -18,6 +18,7 @@
 #include "core/engine/simulator.h"
 #include "experiments/families/arrangement/experiments.h"
 #include "experiments/lab/scene_run.h"
+#include "experiments/lab/study_runs.h"
 #include "experiments/lab/workload.h"
 #include "structures/plan.h"
 
@@ -31,7 +32,7 @@ struct Outcome {
   std::uint64_t sample = 0;  // failures of the sample's arrangement and of its trapezoids
 };
 
-Outcome outcome_of(Scene scene, const std::string& structure, int r) {
+Outcome outcome_of(Scene scene, const std::string& structure, int r, lab::StudyResult& study) {
   Request request{structure, structure, {}};
   if (r > 0) request.parameters = {{"r", Rational(r)}};
   scene.maintain = {std::move(request)};
@@ -41,6 +42,7 @@ Outcome outcome_of(Scene scene, const std::string& structure, int r) {
   const StructureId asked = asked_structure(scene);
   simulator->start();
   simulator->run_until(std::nullopt);
+  lab::check_run(*simulator, structure + ", " + scene.name, study);
   Outcome outcome;
   for (StructureId id = 0; id < simulator->structures(); ++id) {
     const StructureLedger& ledger = simulator->ledger(id);
@@ -78,11 +80,11 @@ lab::StudyResult study_cuttings(bool quick, const std::function<bool()>& go_on) 
     const Scene scene =
         lab::generate_scene("random-lines-and-points", parameters, "incidences_all");
     if (!go_on()) return result;
-    const Outcome all = outcome_of(scene, "incidences_all", 0);
+    const Outcome all = outcome_of(scene, "incidences_all", 0, result);
     for (const double power : {1.0 / 3, 1.0 / 2}) {
       if (!go_on()) return result;
       const int r = static_cast<int>(std::lround(std::pow(n, power)));
-      const Outcome cutting = outcome_of(scene, "incidences_cutting", r);
+      const Outcome cutting = outcome_of(scene, "incidences_cutting", r, result);
       result.table.rows.push_back(
           {std::to_string(n), std::to_string(r), std::to_string(cutting.certificates),
            ratio(cutting.certificates, n * n), ratio(cutting.certificates, std::pow(n, 5.0 / 3)),

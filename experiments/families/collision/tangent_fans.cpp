@@ -13,6 +13,7 @@
 
 #include "experiments/families/collision/experiments.h"
 #include "experiments/lab/scene_run.h"
+#include "experiments/lab/study_runs.h"
 #include "experiments/lab/workload.h"
 #include "structures/collision/collision_pairs.h"
 #include "structures/collision/inner_tangents.h"
@@ -46,7 +47,7 @@ struct Counts {
   std::array<std::int64_t, 2> changes;
 };
 
-Counts count_changes(int n, int m) {
+Counts count_changes(int n, int m, lab::StudyResult& study) {
   lab::WorkloadParameters parameters;
   parameters.n = n;
   parameters.m = m;
@@ -61,6 +62,7 @@ Counts count_changes(int n, int m) {
   simulator->start();
   counter.start();
   simulator->run_until(std::nullopt);
+  lab::check_run(*simulator, scene.name, study);
   return {counter.events, counter.changes};
 }
 
@@ -75,7 +77,7 @@ lab::StudyResult study_tangents(bool quick, const std::function<bool()>& go_on) 
   for (const auto& [n, m] : {std::array{8, 8}, {16, 16}, {16, 5}, {32, 32}, {64, 64}, {64, 16}}) {
     if (quick && n > 32) continue;
     if (!go_on()) return result;
-    const Counts counter = count_changes(n, m);
+    const Counts counter = count_changes(n, m, result);
     const auto& [other, fan] = counter.changes;
     result.table.rows.push_back({std::to_string(n), std::to_string(m),
                                  std::to_string(counter.events), std::to_string(fan),

@@ -104,6 +104,8 @@ lab::PaperClaim claim_on_brute_force(const CostTable& table, const PolynomialWei
   return claim;
 }
 
+constexpr double kMuch = 2;  // cheaper, by our reading
+
 lab::PaperClaim claim_on_delaunay(const CostTable& table, const PolynomialWeights& weights) {
   lab::PaperClaim claim;
   claim.id = "figure-3.delaunay." + std::string(weights.name == "d^2" ? "squares" : "measured");
@@ -111,7 +113,7 @@ lab::PaperClaim claim_on_delaunay(const CostTable& table, const PolynomialWeight
   claim.statement =
       "The kinetic structure is always much cheaper than the triangulation (weights: " +
       weights.name + ").";
-  claim.expected = "the ratio is above 1 for every n and distribution";
+  claim.expected = fmt::format("at least {} times cheaper for every n and distribution", kMuch);
   claim.verdict = lab::Verdict::kConfirmed;
   for (const auto& [workload, costs] : table) {
     double least = 0, at_least = 0;
@@ -119,7 +121,7 @@ lab::PaperClaim claim_on_delaunay(const CostTable& table, const PolynomialWeight
       const double ratio = cost.delaunay / cost.kinetic;
       if (least == 0 || ratio < least) least = ratio, at_least = n;
     }
-    if (least <= 1) claim.verdict = lab::Verdict::kRefuted;
+    if (least < kMuch) claim.verdict = lab::Verdict::kRefuted;
     const auto& [largest, cost] = *costs.rbegin();
     claim.observed += fmt::format("{}{}: {:.2f} times at least (n = {:.0f}), {:.2f} at n = {}",
                                   claim.observed.empty() ? "" : "; ", workload, least, at_least,

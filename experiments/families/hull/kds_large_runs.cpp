@@ -64,7 +64,9 @@ lab::PartReport kds_large_runs_report(const std::vector<lab::SeriesResult>& resu
         run.max_live, run.seconds_setup, run.seconds, events / run.seconds, run.peak_bytes);
     if (key.parameters.n != kClaimedPoints) continue;
     if (!key.forever) {
-      on_time = fmt::format("{} certificate failures up to t = 1, ", run.processed);
+      on_time =
+          fmt::format("{} certificate failures up to t = 1, {:.2f} times the report's number, ",
+                      run.processed, events / kClaimedEvents);
       continue;
     }
     lab::PaperClaim claim;
@@ -74,12 +76,12 @@ lab::PartReport kds_large_runs_report(const std::vector<lab::SeriesResult>& resu
     claim.command = command;
     claim.statement = "The structure handles 50,000 points and about 400,000 events.";
     claim.expected = "about 400,000 events";
-    claim.tolerance = "a factor of 2: motion and end of the run are not stated";
-    claim.observed =
-        fmt::format("{}{} until none is left, and {} hull changes; {}", on_time, run.processed,
-                    run.external, run.clean ? "audit and bounds hold" : run.trouble);
-    const double ratio = events / kClaimedEvents;
-    claim.verdict = run.clean && ratio > 0.5 && ratio < 2 ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted;
+    claim.tolerance = "none: motion and end of the run are not stated";
+    claim.observed = fmt::format("{}{} until none is left, {:.2f} times, and {} hull changes; {}",
+                                 on_time, run.processed, events / kClaimedEvents, run.external,
+                                 run.clean ? "audit and bounds hold" : run.trouble);
+    // That it handles so many is seen; which run the report speaks of is not known.
+    claim.verdict = run.clean ? lab::Verdict::kOpen : lab::Verdict::kRefuted;
     claim.assumptions = {"motion as in section 9, until no event is left",
                          "all failures of certificates are events"};
     claim.small_run = lab::small_run(key);

@@ -14,6 +14,7 @@
 // Left out: the report's structure with n^1.5 events, which it does not describe; octants_local is ours.
 // Cost: an hour; --quick: minutes.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -294,7 +295,7 @@ void judge_logarithm(const Family& family, const std::vector<lab::FitPoint>& poi
   }
   if (corrected) claim.observed += "; " + lab::fit_text(*corrected);
   const bool is_explained = corrected && !lab::is_improbable(*corrected);
-  if (!is_explained && claim.verdict == lab::Verdict::kConfirmed) {
+  if (!(is_explained && corrected->lower > 0) && claim.verdict == lab::Verdict::kConfirmed) {
     claim.verdict = lab::Verdict::kOpen;
   }
   // A neighbour fits better than the law alone, but the law with its term fits, too.
@@ -345,10 +346,12 @@ bool add_constant_claim(const Family& family, const std::vector<lab::FitPoint>& 
   double farthest = 0;
   int compared = 0;
   bool precise = true;  // a mean of too few runs agrees with any reference
+  std::vector<std::string> sources;
   for (const lab::FitPoint& point : points) {
     for (const ReferenceMean& reference : references) {
       if (reference.n != static_cast<int>(point.n)) continue;
       ++compared;
+      if (reference.error > 0) sources.push_back(reference.source());
       precise = precise && point.error <= kPreciseEnough * point.count;
       const double apart =
           lab::distance_in_errors(point.count, point.error, reference.mean, reference.error, 0);
@@ -373,7 +376,7 @@ bool add_constant_claim(const Family& family, const std::vector<lab::FitPoint>& 
   claim.assumptions = {std::string(family.references).empty()
                            ? "the expectation is exact"
                            : fmt::format("references: an independent simulation in doubles, {}",
-                                         references.front().source())};
+                                         fmt::join(sources, ", "))};
   claims.push_back(std::move(claim));
   return true;
 }

@@ -16,6 +16,7 @@
 #include "experiments/families/proximity/experiments.h"
 #include "experiments/lab/claim_check.h"
 #include "experiments/lab/scene_run.h"
+#include "experiments/lab/study_runs.h"
 #include "experiments/lab/workload.h"
 #include "experiments/lab/workload_parts.h"
 #include "structures/plan.h"
@@ -58,7 +59,8 @@ struct LiftedPairs {
   std::size_t pairs = 0, meeting = 0, different = 0;
 };
 
-LiftedPairs compare_lifted(const char* workload, int n, int times, const std::function<bool()>& go_on) {
+LiftedPairs compare_lifted(const char* workload, int n, int times,
+                           const std::function<bool()>& go_on, lab::StudyResult& study) {
   const Scene scene = lab::generate_scene(workload, {.n = n}, kLiftedDiscs);
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
@@ -82,6 +84,7 @@ LiftedPairs compare_lifted(const char* workload, int n, int times, const std::fu
       }
     }
   }
+  lab::check_run(*simulator, scene.name, study);
   return result;
 }
 
@@ -99,7 +102,7 @@ lab::StudyResult study_lifted_discs(bool quick, const std::function<bool()>& go_
   for (const auto& [workload, n] : {std::pair("small-discs", 24), std::pair("random-discs", 24),
                                     std::pair("fan-of-discs", 12)}) {
     if (!go_on()) return result;
-    const LiftedPairs compared = compare_lifted(workload, n, times, go_on);
+    const LiftedPairs compared = compare_lifted(workload, n, times, go_on, result);
     result.table.rows.push_back({workload, std::to_string(n), std::to_string(times),
                                  std::to_string(compared.pairs), std::to_string(compared.meeting),
                                  std::to_string(compared.different)});
@@ -136,6 +139,7 @@ lab::PartReport kds_section_7_lifting_report(const lab::StudyResult& result,
   claim.assumptions = {
       "proof: at the share s of the segment the height over the paraboloid is s(1 - s) D^2 - (1 - s) r^2 - "
       "s R^2 for the distance D and the radii r, R, at most 0 for all s if and only if D <= r + R"};
+  lab::refute_by_checks(result, claim);
   claim.small_run.structure = kLiftedDiscs;
   claim.small_run.workload = "small-discs";
   claim.small_run = lab::small_run(std::move(claim.small_run));

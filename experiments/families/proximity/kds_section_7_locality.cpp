@@ -28,6 +28,7 @@
 #include "experiments/lab/growth_words.h"
 #include "experiments/lab/scene_run.h"
 #include "experiments/lab/statistics.h"
+#include "experiments/lab/study_runs.h"
 #include "experiments/lab/workload.h"
 #include "structures/plan.h"
 
@@ -66,7 +67,7 @@ struct Counts {
   double events = 0, made = 0, most_made = 0;  // failures, and certificates that one makes
 };
 
-Counts counts_of(Scene scene, const Subject& subject) {
+Counts counts_of(Scene scene, const Subject& subject, lab::StudyResult& study) {
   Request request{subject.structure, subject.structure, {}};
   if (subject.cones > 0) request.parameters = {{"cones", Rational(subject.cones)}};
   scene.maintain = {std::move(request)};
@@ -75,6 +76,7 @@ Counts counts_of(Scene scene, const Subject& subject) {
   const auto simulator = lab::make_simulator(scene, "exact", options);
   simulator->start();
   simulator->run_until(std::nullopt);
+  lab::check_run(*simulator, fmt::format("{}, {}", subject.structure, scene.name), study);
   Counts counts;
   for (StructureId id = 0; id < simulator->structures(); ++id) {
     const StructureLedger& ledger = simulator->ledger(id);
@@ -229,7 +231,7 @@ lab::StudyResult study_locality(bool quick, const std::function<bool()>& go_on) 
     for (const int n : {32, 64, 128, 256, 512}) {
       if (n > (quick ? 128 : subject.largest)) continue;
       if (!go_on()) return result;
-      add_row(result, subject, kHub, n, {counts_of(hub_scene(subject, n), subject)});
+      add_row(result, subject, kHub, n, {counts_of(hub_scene(subject, n), subject, result)});
     }
     for (const int n : {16, 32, 64, 128}) {
       if (n > (quick ? 32 : subject.largest)) continue;
@@ -237,8 +239,8 @@ lab::StudyResult study_locality(bool quick, const std::function<bool()>& go_on) 
       for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         if (!go_on()) return result;
         runs.push_back(counts_of(
-            lab::generate_scene(subject.random, {.n = n, .seed = seed}, subject.structure),
-            subject));
+            lab::generate_scene(subject.random, {.n = n, .seed = seed}, subject.structure), subject,
+            result));
       }
       add_row(result, subject, subject.random, n, runs);
     }
@@ -289,6 +291,7 @@ lab::PartReport kds_section_7_locality_report(const lab::StudyResult& result,
         "reads or of its own, are not counted"};
   }
   for (lab::PaperClaim& claim : report.claims) {
+    lab::refute_by_checks(result, claim);
     claim.place = "section 7";
     claim.command = command;
     claim.small_run = lab::small_run(std::move(claim.small_run));

@@ -187,10 +187,10 @@ void add_colour_claims(const std::vector<lab::SeriesResult>& results, lab::PartR
       ratios_of(results, {"bichromatic_pair_delaunay", kPairUniform}, "processed", "external");
   observed += "; on random motion " + ratio_text(random);
   if (const auto fit = lab::fit_power(random)) observed += "; " + lab::fit_text(*fit);
-  observed += ". On the row, where the pair changes most often, " + lab::local_exponents(ratios) +
+  observed += ". On the row, where the pair changes n^2 - 1 times, " +
+              lab::local_exponents(ratios) +
               "; on random motion, where it changes seldom, the events for a change grow " +
-              lab::growth_words(lab::fit_power(random), 0.5, "n^(1/2)") +
-              ". No scene here comes near the worst case of the triangulation";
+              lab::growth_words(lab::fit_power(random), 0.5, "n^(1/2)");
   report.claims.push_back(open_question(
       "7.6.efficient",
       "Is there a responsive, compact, local and efficient structure for the closest pair of two "
@@ -219,7 +219,7 @@ void add_disc_claims(const std::vector<lab::SeriesResult>& results, lab::PartRep
   observed += ". On the row " + lab::local_exponents(ratios) +
               "; on random motion the events for a change grow " +
               lab::growth_words(lab::fit_power(random), 0.5, "n^(1/2)") +
-              ". Radii are small there, and hardly matter: 7.6.balls-local has the other case";
+              ". Radii are small there: 7.6.balls-local has the other case";
   report.claims.push_back(open_question(
       "7.6.balls-efficient",
       "Is there a responsive, compact, local and efficient structure for the closest pair of balls of "

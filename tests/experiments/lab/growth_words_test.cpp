@@ -73,7 +73,9 @@ TEST(GrowthWords, ExponentsBetweenNeighbours) {
 TEST(GrowthWords, ABadFitIsSaidToBeBad) {
   std::vector<FitPoint> points = power_of(1, 6);
   EXPECT_EQ(lab::fit_text(*lab::fit_power(points)).find("too large for chance"), std::string::npos);
+  EXPECT_EQ(lab::growth_order(lab::fit_power(points), 0.5), GrowthOrder::kFaster);
   points[3].count *= 1.3;
+  EXPECT_EQ(lab::growth_order(lab::fit_power(points), 0), GrowthOrder::kUntold);
   EXPECT_NE(lab::fit_text(*lab::fit_power(points)).find("too large for chance"), std::string::npos);
 }
 

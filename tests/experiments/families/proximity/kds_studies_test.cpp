@@ -161,6 +161,8 @@ TEST(Cuttings, OtherChangesRefute) {
   };
   EXPECT_EQ(verdict(), lab::Verdict::kOpen);
   study.checks.emplace_back();
+  EXPECT_EQ(verdict(), lab::Verdict::kOpen);  // a check that is right
+  study.checks.back().verdict = lab::Verdict::kRefuted;
   EXPECT_EQ(verdict(), lab::Verdict::kRefuted);
 }
 
