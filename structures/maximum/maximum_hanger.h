@@ -25,7 +25,8 @@
 //
 // Quality, for n objects:
 //   compactness     n - 1 certificates
-//   locality        3 certificates an object
+//   locality        3 certificates an object; with squared distances as keys, the object from
+//                   which they are measured is in all n - 1
 //   responsiveness  an event renews at most 5 certificates; an insertion or erasure renews those
 //                   along one path, expected O(log n)
 // lambda_D(n) is the greatest length of a Davenport-Schinzel sequence of order D over n symbols; it

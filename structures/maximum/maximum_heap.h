@@ -6,7 +6,8 @@
 //
 // Quality, for n objects:
 //   compactness     n - 1 certificates
-//   locality        3 certificates an object
+//   locality        3 certificates an object; with squared distances as keys, the object from
+//                   which they are measured is in all n - 1
 //   responsiveness  at most 5 certificates, O(log n); an insertion or erasure sifts along one path,
 //                   O(log n) certificates
 // Events, for affine motions without flight-plan changes: at most the number of (ancestor,

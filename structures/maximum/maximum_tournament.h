@@ -7,7 +7,9 @@
 //
 // Quality, for n objects:
 //   compactness     n - 1 certificates
-//   locality        at most ceil(log2 n) certificates per object, the depth of the tree
+//   locality        at most ceil(log2 n) certificates per object, the depth of the tree; with
+//                   squared distances as keys, the object from which they are measured is in all
+//                   n - 1
 //   responsiveness  O(log n) certificates, those on one path to the root; an insertion or erasure
 //                   moves at most two objects, O(log n) certificates
 //   efficiency      not strongly efficient: the maximum may change O(1) times while Theta(n) events

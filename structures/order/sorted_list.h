@@ -7,7 +7,8 @@
 //
 // Quality, for n objects:
 //   compactness     n - 1 certificates
-//   locality        2 certificates an object
+//   locality        2 certificates an object; with squared distances as keys, the object from
+//                   which they are measured is in all n - 1
 //   responsiveness  3 certificates, O(log n); an insertion O(log n) signs and 2 certificates, an
 //                   erasure 1 certificate
 //   efficiency      every event is external; as a structure for the maximum alone it is not
