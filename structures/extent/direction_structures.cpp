@@ -77,8 +77,9 @@ std::vector<StructureInfo> direction_structures() {
   diameter.summary = "the diameter of points in the plane or in space, by extents along directions";
   diameter.any_dimension = true;
   diameter.parameters[0].summary =
-      "4k directions; a squared diameter is off by a factor of at most 1 + 1/k^2. In space 54 for 2 "
-      "and 3, 150 from 4 on, more than 6 counts as 6, and a diameter is off by 1 - 1/k^2";
+      "4k directions; a squared diameter is off by a factor of at most 1 + 1/k^2. In space 6 for 1, "
+      "54 for 2 and 3, 150 for 4 and 6, 126 for 5, more than 6 counts as 6, and a diameter is off "
+      "by 1 - 1/k^2";
   diameter.shape = Attribute::Shape::kTuples;
   diameter.kinds = {
       {"replace", Effect::kSometimes, kAhead},
