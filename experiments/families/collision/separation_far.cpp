@@ -2,7 +2,8 @@
 // Questions: do certificates last for a constant fraction of the separation, on paths that are not
 //   smooth? Do outer hierarchies have few vertices far from their polygon?
 // Expected: no wedge fails before 0.23 of the separation at which it was made; the events of an
-//   approach grow like the number of halvings of the distance; trembling causes none.
+//   approach grow like the number of halvings of the distance; trembling causes none. Bounds on all
+//   motions and on all polygons stay open.
 // Cost: a minute; --quick: 5 s.
 #include <fmt/format.h>
 
@@ -41,14 +42,14 @@ lab::PartReport separation_hysteresis_report(const std::vector<lab::SeriesResult
   const std::string own = "separation_hysteresis";
   lab::PaperClaim lasting;
   lasting.id = "hysteresis.lasting";
-  lasting.kind = "expectation";
+  lasting.kind = "bound";
   lasting.statement =
       "A new certificate cannot fail before the objects have moved by a constant fraction of their "
       "separation.";
   lasting.expected = "0.23 of the separation at least";
   lasting.tolerance = "none";
   lasting.assumptions = {"certificate, metric and constant are worked out here"};
-  std::size_t runs = 0, broken = 0;
+  std::size_t runs = 0, broken = 0, trembles = 0;
   double trembling = 0;
   for (const lab::SeriesResult& result : results) {
     if (result.point.key.structure != own) continue;
@@ -57,6 +58,7 @@ lab::PartReport separation_hysteresis_report(const std::vector<lab::SeriesResult
       broken += run.trouble.find("displacement") == std::string::npos ? 0 : 1;
     }
     if (result.point.key.workload == "polygon-jitter") {
+      trembles += result.runs.size();
       trembling = std::max(trembling, result.mean("processed").largest());
     }
   }
@@ -73,8 +75,11 @@ lab::PartReport separation_hysteresis_report(const std::vector<lab::SeriesResult
   calm.statement = "Far apart, a wiggly motion costs no more than a smooth one.";
   calm.expected = "no event while a polygon trembles across the side of a tile";
   calm.tolerance = "none";
-  calm.observed = fmt::format("at most {:.0f}", trembling);
-  calm.verdict = trembling == 0 ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted;
+  calm.assumptions = {"the scene: a polygon trembles across the side of a tile"};
+  calm.observed = fmt::format("at most {:.0f} in {} runs", trembling, trembles);
+  calm.verdict = trembling != 0  ? lab::Verdict::kRefuted
+                 : trembles == 0 ? lab::Verdict::kOpen
+                                 : lab::Verdict::kConfirmed;
   set_small_run(calm, results, own, "polygon-jitter");
   report.claims.push_back(std::move(calm));
 
@@ -132,7 +137,7 @@ lab::PartReport separation_hierarchies_report(const lab::StudyResult& study,
     report.claims.push_back(std::move(claim));
   }
   report.tables = lab::markdown(study.table).substr(1);
-  finish(report, {}, command);
+  finish(report, {}, command, "polygons cannot confirm a bound on all polygons");
   return report;
 }
 

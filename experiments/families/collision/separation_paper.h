@@ -29,7 +29,8 @@ std::vector<lab::FitPoint> points_of(const std::vector<lab::SeriesResult>& resul
                                 const std::string& structure, const std::string& workload,
                                 const std::function<double(const lab::SeriesResult&)>& x);
 
-// "events grow at most like NAME^exponent", judged by lab::judge_power with a tolerance of 0.1.
+// "events grow at most like NAME^exponent", judged by lab::judge_power with a tolerance of 0.1. This and
+// log_claim are verdicts on the scenes alone, until finish().
 lab::PaperClaim power_claim(std::string id, std::string statement,
                             const std::vector<lab::FitPoint>& points, const std::string& name,
                             double exponent);
@@ -49,9 +50,12 @@ lab::Figure curves_figure(std::string title, std::string caption, lab::CurvesPic
 void set_small_run(lab::PaperClaim& claim, const std::vector<lab::SeriesResult>& results,
                    const std::string& structure, const std::string& workload);
 
-// Adds the table of all runs, and the place and command of every claim.
+// Adds the table of all runs, and the place and command of every claim. Claims of kind "growth" and
+// "bound" are on all motions, or all polygons: they get the assumption `all`, and are open where their
+// runs would confirm them. Refuted ones stay so.
 void finish(lab::PartReport& report, const std::vector<lab::SeriesResult>& results,
-            const std::string& command);
+            const std::string& command,
+            const char* all = "runs cannot confirm a bound on all motions");
 
 // The paper with all its parts.
 lab::Paper separation_paper();

@@ -74,12 +74,14 @@ lab::PartReport separation_rigid_report(const std::vector<lab::SeriesResult>& re
 
   lab::PaperClaim compact;
   compact.id = "rigid.compact";
-  compact.kind = "expectation";
+  compact.kind = "bound";
   compact.statement = "The structure is compact and local: one certificate, a single tile.";
   compact.expected = "at most 6 polynomials";
   compact.tolerance = "none";
-  compact.observed = fmt::format("at most {:.0f}", certificates);
-  compact.verdict = certificates <= 6 ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted;
+  compact.observed = signs.empty() ? "no run" : fmt::format("at most {:.0f}", certificates);
+  compact.verdict = signs.empty()       ? lab::Verdict::kOpen
+                    : certificates <= 6 ? lab::Verdict::kConfirmed
+                                        : lab::Verdict::kRefuted;
   set_small_run(compact, results, "separation_mixed", "polygon-spin-orbit");
   report.claims.push_back(std::move(compact));
   report.figures = {curves_figure(

@@ -50,6 +50,10 @@ lab::PaperClaim lower_bound(const std::vector<lab::SeriesResult>& results) {
     least = std::min(least, (result.mean("processed").smallest() + 1) / fewest);
     if (result.point.key.structure == kMethods[0]) bound.push_back({mu_of(result), fewest, 0});
   }
+  if (!std::isfinite(least)) {
+    claim.observed = "no run";
+    return claim;
+  }
   claim.verdict = least >= 1 ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted;
   claim.observed = fmt::format("{:.3g} times the bound at least", least);
   if (const auto fit = lab::fit_power(bound)) {
