@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The claims of the paper of 1999. Counts that the polygon bounds are fitted by no power; bounds on all
-// motions, or on all polygons, are not confirmed.
+// motions, or on all polygons, are not confirmed; counts that shall not grow are equal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,6 +42,16 @@ std::vector<lab::SeriesResult> rounds(double power) {
   return results;
 }
 
+// Turns before a fan: `events` of n and the separation.
+std::vector<lab::SeriesResult> turns(double (*events)(int n, bool very_far)) {
+  std::vector<lab::SeriesResult> results;
+  for (const lab::SeriesPoint& point : families::separation_features_points(true)) {
+    const bool very_far = point.key.parameters.separation == Rational(29);
+    results.push_back(result_of(point, events(point.key.parameters.n, very_far)));
+  }
+  return results;
+}
+
 std::vector<lab::SeriesResult> hysteresis_runs(const std::string& trouble) {
   std::vector<lab::SeriesResult> results;
   for (const lab::SeriesPoint& point : families::separation_hysteresis_points(true)) {
@@ -62,6 +72,11 @@ lab::PaperClaim find_claim(const lab::PartReport& report, const std::string& id)
 lab::PaperClaim claim_on(const char* method, double power) {
   return find_claim(families::separation_translation_report(rounds(power), "command"),
                     std::string("translation.algebraic.") + method);
+}
+
+lab::PaperClaim far_claim(const std::vector<lab::SeriesResult>& results) {
+  return find_claim(families::separation_features_report(results, "command"),
+                    "features.separation-sensitive");
 }
 
 lab::PaperClaim hysteresis_claim(const std::vector<lab::SeriesResult>& results, const char* id) {
@@ -101,6 +116,7 @@ TEST(SeparationGrowth, ScenesConfirmLowerBoundsOnly) {
 TEST(SeparationGrowth, NoRunConfirmsNothing) {
   for (const lab::PartReport& report : {families::separation_translation_report({}, "command"),
                                         families::separation_rigid_report({}, "command"),
+                                        families::separation_features_report({}, "command"),
                                         families::separation_hysteresis_report({}, "command")}) {
     EXPECT_FALSE(report.claims.empty());
     for (const lab::PaperClaim& claim : report.claims) {
@@ -152,6 +168,28 @@ TEST(SeparationBounds, PolygonsAreNotAllPolygons) {
     EXPECT_EQ(claim.observed, holds ? "5; consistent with the bound" : "5");
     EXPECT_THAT(claim.assumptions, Contains("polygons cannot confirm a bound on all polygons"));
   }
+}
+
+TEST(SeparationFar, AsManyEventsForEveryN) {
+  const lab::PaperClaim claim =
+      far_claim(turns([](int, bool very_far) { return very_far ? 2.0 : 4.0; }));
+  EXPECT_EQ(claim.verdict, lab::Verdict::kConfirmed);
+  EXPECT_EQ(claim.observed, "4 to 4 at separation 2, 2 to 2 at separation 29");
+}
+
+// Few events are not enough.
+TEST(SeparationFar, ACountThatGrowsIsRefuted) {
+  const lab::PaperClaim claim =
+      far_claim(turns([](int n, bool very_far) { return very_far ? n / 8 : 4.0; }));
+  EXPECT_EQ(claim.verdict, lab::Verdict::kRefuted);
+  EXPECT_EQ(claim.observed, "4 to 4 at separation 2, 1 to 4 at separation 29");
+}
+
+TEST(SeparationFar, OneSizeIsOpen) {
+  std::vector<lab::SeriesResult> results = turns([](int, bool) { return 4.0; });
+  std::erase_if(results,
+                [](const lab::SeriesResult& result) { return result.point.key.parameters.n != 8; });
+  EXPECT_EQ(far_claim(results).verdict, lab::Verdict::kOpen);
 }
 
 }  // namespace separation_growth_test
