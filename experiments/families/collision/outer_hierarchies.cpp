@@ -22,7 +22,7 @@ namespace kinex::families {
 namespace {
 
 constexpr double kSlack = 1 + 1e-9;
-constexpr double kNodes = 4;  // times min(n, sqrt(D / s)); measured: 2.6
+constexpr double kNodes = 4;  // times min(n, sqrt(D / s)); measured: 2.28
 
 using Point = std::array<double, 2>;
 

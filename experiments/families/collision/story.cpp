@@ -199,9 +199,9 @@ std::vector<lab::Figure> collision_figures(const std::vector<lab::CellResult>& c
       "B1: one polygon goes once round another at falling separation; lower bound: the least "
       "number "
       "of certificates for convex sets of positions. B4 and B5: a regular polygon of n vertices "
-      "turns once before a fan of n edges, two radii away: the closest features (B4) or an inner "
-      "tangent (B5) change n^2 times. The legend has the powers that fit, with their 95 % "
-      "intervals.";
+      "turns once before a fan of n edges, two radii away: the closest features (B4) change "
+      "n(3n + 2) times, the inner tangents (B5) n(2n + 2) times. The legend has the powers that "
+      "fit, with their 95 % intervals.";
   figure.width = 440;
   const std::vector<double> sizes{8, 16, 32, 64, 128};
   std::vector<lab::Figure> figures;
