@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
 
 #include "experiments/families/collision/experiments.h"
 #include "experiments/families/collision/axes.h"
@@ -50,6 +51,19 @@ void expect(lab::Cell& cell, lab::ExpectationKind kind, std::int64_t count) {
 }
 
 lab::Verdict verdict_of(const lab::Cell& cell) { return verify::run_cell(cell, {})->verdict(); }
+
+// Of the same values of mu the paper's claims have this tolerance.
+TEST(CollisionCatalogue, LawsOfMuHaveTheToleranceOfThePaper) {
+  std::multiset<std::string> laws;
+  for (const lab::GrowthClaim& growth :
+       verify::make_catalogue("collision", lab::Extent::kFull).growths) {
+    if (growth.claim != "collision.round.mu" && growth.claim != "collision.rigid.mu") continue;
+    laws.insert(growth.claim);
+    EXPECT_EQ(growth.tolerance, 0.1) << growth.claim << " of " << growth.structure;
+  }
+  EXPECT_EQ(laws.count("collision.round.mu"), 3u);
+  EXPECT_EQ(laws.count("collision.rigid.mu"), 1u);
+}
 
 TEST(CollisionCatalogue, IsAGroupOfAllStructuresForBodies) {
   const lab::Catalogue group = verify::make_catalogue("collision", lab::Extent::kQuick);
