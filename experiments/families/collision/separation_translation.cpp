@@ -4,7 +4,7 @@
 //   polygons of radius 1 at separation 2^-k.
 // Expected: O(log mu) on a line, O(mu) on an algebraic path, and never fewer than the certificates
 //   for convex sets of positions that the path needs.
-// Cost: four minutes; --quick: 15 s.
+// Cost: a minute; --quick: 6 s.
 #include <fmt/format.h>
 
 #include <algorithm>
