@@ -315,6 +315,8 @@ class Checker:
                     place += 1
                     if r.kind == "motion" and not moved:
                         self.apply_motions(updates, x)
+                        # What stood in a line now may have claims of its new motions that fail at once.
+                        self.unsettled |= degenerate
                         moved = True
                     elif r.kind != "motion":
                         if r.kind != phase:

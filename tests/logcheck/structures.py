@@ -27,6 +27,7 @@ SCENES = {"line_arrangement_2": ["parallel_lines.json", "parallel_by_a_plan.json
           "regular_3": ["weights_in_a_plane.json"], "delaunay_3": ["point_lands.json", "equal_by_a_plan.json"],
           "closest_pair_discs": ["balls_on_a_wall.json", "ball_lands.json"],
           "mst_maximum_norm_cycles": ["turns_by_itself.json", "tie_in_a_repair.json", "new_cycle.json"],
+          "regular_2": ["line_at_a_plan.json"],
           "convex_hull_2_delaunay": ["upright_side.json", "turn_by_a_plan.json"], "diameter_2": ["side_without_length.json"],  # and all that calipers maintain
           "min_area_rectangle_directions": ["tie_beside_a_failure.json"], "min_area_rectangle_2": ["tie_above_a_failure.json"],
           "disc_pairs_grid": ["two_grids.json"]}
