@@ -34,8 +34,8 @@ void add_colours(const std::vector<Request>& requests, std::vector<std::string>&
   }
 }
 
-// Of every colour that a request names the first object stays: a colour that nobody has cannot be named. A request of
-// these objects, the last one, keeps them for the time of thinning.
+// A scene is refused if a request names a colour that no object has. So the first object of every named colour
+// stays: a request of these objects is added for the time of thinning, as the last one.
 lab::ThinnedScene thin_with_colours(const Scene& scene, const lab::Thinning& method, const Rational& error) {
   Scene named = scene;
   std::vector<std::string> colours;
