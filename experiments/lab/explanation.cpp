@@ -168,7 +168,7 @@ std::string command_of(const Workload& workload, const WorkloadParameters& param
 }
 
 // Of all families, for one structure after the other.
-std::set<std::string> structures_verified_on(std::string_view workload) {
+std::set<std::string> structures_with_claims_on(std::string_view workload) {
   std::set<std::string> names;
   for (const FamilyExperiments& family : experiment_families()) {
     if (family.add_cells == nullptr) continue;
@@ -292,7 +292,7 @@ Explanation explain(const StructureInfo& info) {
   add("events", std::move(events));
   add("ties", text(info.ties));
   add("bounds", std::move(bounds));
-  add("verified", claims_of(info.name));
+  add("to verify", claims_of(info.name));
   add("source", text(info.source));
   if (example.workload != nullptr) {
     // What is there to be searched shows nothing until it is asked.
@@ -353,8 +353,8 @@ Explanation explain(const Workload& workload) {
                                     ? usual_structure(workload.bodies, workload.default_dimension)
                                     : std::string(workload.maintain);
   add("maintains", {structure + " unless --maintain says otherwise"});
-  const std::set<std::string> verified = structures_verified_on(workload.name);
-  if (!verified.empty()) add("verified", {"by kinex verify: " + joined(verified)});
+  const std::set<std::string> claimed = structures_with_claims_on(workload.name);
+  if (!claimed.empty()) add("to verify", {"by kinex verify: " + joined(claimed)});
   const std::string name(workload.name);
   add("example",
       {command_of(workload, few) + " -o " + name + ".json", "kinex run " + name + ".json"});

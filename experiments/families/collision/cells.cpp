@@ -14,7 +14,7 @@
 // Expected: lower bounds for convex certificates, exact counts, and exponents below. The bound
 //   O(log mu) holds on a straight line only: on a circle, a convex curve, every method needs
 //   Omega(mu).
-// Cost: about a minute, three in full.
+// Cost: some minutes; kinex verify tells the time of every cell.
 #include <cmath>
 #include <cstdint>
 #include <numbers>

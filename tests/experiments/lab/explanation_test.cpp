@@ -67,7 +67,7 @@ TEST(Explanation, DegreesAndBoundsOfTheTriangulation) {
                         "in_circle_2(a, b, c, d), degree 4d in t: d is not inside the circle")),
                     Contains(HasSubstr("orientation_2(a, b, c), degree 2d in t"))));
   EXPECT_THAT(*part(explanation, "bounds"), Contains(HasSubstr("delaunay_2.compactness: ")));
-  EXPECT_THAT(*part(explanation, "verified"), Contains(HasSubstr("delaunay_2.uniform.growth: ")));
+  EXPECT_THAT(*part(explanation, "to verify"), Contains(HasSubstr("delaunay_2.uniform.growth: ")));
 }
 
 // One row a predicate, however often an object is several arguments.

@@ -79,22 +79,23 @@ void add_growth(int n, const lab::BenchRun& exact, lab::ResultTable& table) {
 using Growth = std::vector<std::pair<int, lab::BenchRun>>;
 
 void compare_hulls(const lab::BenchOptions& options, Growth& growth, std::vector<lab::Aim>& aims) {
-  lab::ResultTable table(
-      options, "hull",
-      "Kinetic convex hulls on uniform-square, in exact arithmetic; time over double.",
-      {{"structure", lab::ResultTable::kText, 25},
-       {"n", 0, 8},
-       {"events", 0, 9},
-       {"build_seconds", 3},
-       {"seconds", 3},
-       {"events_per_second", 0},
-       {"time_over_double", 2},
-       {"ns_per_event", 0},
-       {"ns_per_event_and_level", 0},
-       {"megabytes", 1},
-       {"process_megabytes", 0},
-       {"certificates", 0},
-       {"most_per_point", 0}});
+  lab::ResultTable table(options, "hull",
+                         "Kinetic convex hulls on uniform-square, in exact arithmetic; time over "
+                         "double. Process megabytes: "
+                         "the peak of this row and all rows above it.",
+                         {{"structure", lab::ResultTable::kText, 25},
+                          {"n", 0, 8},
+                          {"events", 0, 9},
+                          {"build_seconds", 3},
+                          {"seconds", 3},
+                          {"events_per_second", 0},
+                          {"time_over_double", 2},
+                          {"ns_per_event", 0},
+                          {"ns_per_event_and_level", 0},
+                          {"megabytes", 1},
+                          {"process_megabytes_so_far", 0},
+                          {"certificates", 0},
+                          {"most_per_point", 0}});
   for (const lab::BenchRow& row : lab::bench_rows("hull", options)) {
     const std::vector<lab::BenchRun> best =
         lab::best_runs(lab::scene_of(row),
