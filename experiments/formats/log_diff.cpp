@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
 
-#include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/log_instant.h"
 #include "experiments/formats/log_reader.h"
-#include "experiments/formats/log_scene.h"
 #include "experiments/formats/log_table.h"
+#include "structures/registry.h"
 
 namespace kinex::formats {
 
@@ -26,8 +26,7 @@ struct Said {
   std::size_t line;
 };
 
-// The label that a log has for a structure -> the one under which it is compared.
-using Labels = std::map<std::string, std::string>;
+using Labels = std::map<std::string, std::string>;  // as in LogPairs
 
 struct Log : MatchedLog {
   std::vector<Said> said;           // of each of `entries`
@@ -116,6 +115,66 @@ Log read_log(LogReader& reader, const Labels& labels, Names& names, Kinds& kinds
     const std::uint32_t kind = change ? 0 : kinds.number(label->second, record.kind);
     log.said.push_back({kind, record.external, change, record.line});
   }
+  log.ending = ending_of(reader);
+  return log;
+}
+
+// What an external event changes: what has gone and come, or the objects that determine it. Its kind tells
+// more than the method only where a body or a cycle changes.
+std::string change_of(const LogRecord& record, const std::string& label, bool by_kind) {
+  std::string text;
+  JsonWriter json(text);
+  json.begin_array().string(label);
+  if (by_kind) json.string(record.kind);
+  if (record.change) {
+    write_ids(json, record.change->gone);
+    write_ids(json, record.change->came);
+  } else {
+    write_ids(json, record.ids);
+  }
+  json.end_array();
+  return text;
+}
+
+// The labels of the log whose changes are told by their kinds, too.
+std::set<std::string> labels_by_kind(const LogHeader& header) {
+  std::set<std::string> labels;
+  for (const LogStructure& one : header.structures) {
+    const StructureInfo* const info = find_structure_info(one.structure);
+    if (info == nullptr || info->bodies || info->shape == Attribute::Shape::kCycle)
+      labels.insert(one.label);
+  }
+  return labels;
+}
+
+// The external events alone. Methods have no order of those at one instant in common: they are sorted.
+Log read_changes(LogReader& reader, const Labels& labels, Names& names, Kinds& kinds) {
+  Log log;
+  log.header = reader.header();
+  const std::set<std::string> by_kind = labels_by_kind(log.header);
+  std::vector<std::pair<std::uint32_t, Said>> now;  // of the last instant, with their names
+  const auto end_instant = [&] {
+    std::stable_sort(now.begin(), now.end(),
+                     [](const auto& x, const auto& y) { return x.first < y.first; });
+    for (const auto& [name, said] : now) {
+      log.events.push_back(log.entries.size());
+      log.entries.push_back({name, static_cast<std::uint32_t>(log.instants.size() - 1)});
+      log.said.push_back(said);
+    }
+    now.clear();
+  };
+  LogRecord record;
+  while (reader.next(record)) {
+    const auto label = labels.find(record.structure);
+    if (label == labels.end() || !record.external) continue;
+    if (log.instants.empty() || !same_text(log.instants.back(), record.time)) {
+      end_instant();
+      log.instants.push_back(record.time);
+    }
+    now.emplace_back(names.number(change_of(record, label->second, by_kind.contains(label->first))),
+                     Said{kinds.number(label->second, record.kind), true, false, record.line});
+  }
+  end_instant();
   log.ending = ending_of(reader);
   return log;
 }
@@ -246,53 +305,6 @@ class Tally {
   LogDifference& result_;
 };
 
-bool is_same(const LogStructure& a, const LogStructure& b) {
-  return a.structure == b.structure && a.key == b.key && a.options == b.options;
-}
-
-// The structures that both logs have, by the label in each; the others go into the result.
-std::pair<Labels, Labels> common_structures(const LogHeader& a, const LogHeader& b,
-                                            LogDifference& result) {
-  std::pair<Labels, Labels> common;
-  const auto pair_up = [&](bool by_label) {
-    for (const LogStructure& one : a.structures) {
-      for (const LogStructure& other : b.structures) {
-        if (!is_same(one, other) || common.first.contains(one.label) ||
-            common.second.contains(other.label) || (by_label && one.label != other.label)) {
-          continue;
-        }
-        common.first.emplace(one.label, one.label);
-        common.second.emplace(other.label, one.label);
-        if (!by_label) result.other_labels.push_back({one.label, other.label});
-      }
-    }
-  };
-  pair_up(true);
-  pair_up(false);
-  for (const LogStructure& one : a.structures) {
-    if (!common.first.contains(one.label)) result.only_a.push_back(one.label);
-  }
-  for (const LogStructure& one : b.structures) {
-    if (!common.second.contains(one.label)) result.only_b.push_back(one.label);
-  }
-  return common;
-}
-
-// "delaunay_2, sorted_list by "x"": with key and parameters where `other` has the same structure.
-std::string described(const LogHeader& header, const LogHeader& other) {
-  std::string text;
-  for (const LogStructure& one : header.structures) {
-    text += (text.empty() ? "" : ", ") + one.structure;
-    const bool in_both =
-        std::any_of(other.structures.begin(), other.structures.end(),
-                    [&](const LogStructure& there) { return there.structure == one.structure; });
-    if (!in_both) continue;
-    if (!one.key.empty()) text += " by " + one.key;
-    if (!one.options.empty()) text += " with " + one.options;
-  }
-  return text;
-}
-
 // Rows for lines of both logs: aligned for each of the sets of lines. Line 0: no record.
 class Rows {
  public:
@@ -362,26 +374,21 @@ void show_rows(std::string_view text_a, std::string_view text_b, LogDifference& 
 }  // namespace
 
 LogDifference diff_logs(std::string_view text_a, const std::string& file_a, std::string_view text_b,
-                        const std::string& file_b, std::size_t most) {
+                        const std::string& file_b, std::size_t most, Compared compared) {
   LogReader reader_a(text_a, file_a);
   LogReader reader_b(text_b, file_b);
   LogDifference result;
-  const auto [labels_a, labels_b] =
-      common_structures(reader_a.header(), reader_b.header(), result);
-  if (labels_a.empty() && !(result.only_a.empty() && result.only_b.empty())) {
-    throw InputError(
-        file_b, "line 1",
-        "it has no structure in common with " + file_a + ": it maintains " +
-            described(reader_b.header(), reader_a.header()) + ", the other " +
-            described(reader_a.header(), reader_b.header()),
-        "compare runs with a structure in common, by the same key and with the same parameters");
-  }
+  LogPairs pairs = pair_structures(reader_a.header(), file_a, reader_b.header(), file_b, compared);
   Names names;
   Kinds kinds;
-  const Log a = read_log(reader_a, labels_a, names, kinds);
-  const Log b = read_log(reader_b, labels_b, names, kinds);
+  const auto read = compared == Compared::kEvents ? read_log : read_changes;
+  const Log a = read(reader_a, pairs.labels_a, names, kinds);
+  const Log b = read(reader_b, pairs.labels_b, names, kinds);
   InstantsOf instants(a, b);
 
+  result.other_labels = std::move(pairs.other_labels);
+  result.only_a = std::move(pairs.only_a);
+  result.only_b = std::move(pairs.only_b);
   result.ending_a = a.ending;
   result.ending_b = b.ending;
   result.events_a = a.events.size();

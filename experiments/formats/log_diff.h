@@ -11,13 +11,9 @@
 
 #include "experiments/formats/log_ending.h"
 #include "experiments/formats/log_match.h"
+#include "experiments/formats/log_pairs.h"
 
 namespace kinex::formats {
-
-// A structure that both logs have under different labels.
-struct OtherLabel {
-  std::string label_a, label_b;
-};
 
 // The events of one kind of a structure in both logs.
 struct KindDifference {
@@ -37,12 +33,15 @@ struct RecordDifference {
   bool invented() const { return line_a == 0; }
 };
 
-// Compares the structures that both logs have (same structure, key and options; of several such those
-// with the same label), and their events, external and internal: all records except those of changes
-// (motion, insert, erase, and a rebuild that changed nothing). Two events are the same if structure,
-// kind, ids, "gone" and "came" agree; log_match.h says which of several such of one log is which of the
-// other. Where one log ends before the other, the records of the longer one after that end are counted
-// by themselves, not as differences.
+// Compares the structures that log_pairs.h pairs.
+//   kEvents      Their events, external and internal: all records except those of changes (motion, insert,
+//                erase, and a rebuild that changed nothing). Two events are the same if structure, kind,
+//                ids, "gone" and "came" agree.
+//   kAttributes  Their external events. Two are the same if "gone" and "came" agree, or the ids where they
+//                determine these; and the kind where the attribute is a cycle or of bodies. Those at one
+//                instant have no order.
+// log_match.h says which of several such of one log is which of the other. Where one log ends before the
+// other, the records of the longer one after that end are counted by themselves, not as differences.
 struct LogDifference {
   std::uint64_t events_a = 0, events_b = 0;  // of the structures in both
   // The first place at which the events differ, counted from 1, with both records as rows of a table
@@ -73,11 +72,12 @@ struct LogDifference {
   bool equal() const { return first == 0 && other_records == 0 && after_a == 0 && after_b == 0; }
 };
 
-// Throws InputError for text that is no event log, and for two logs without a common structure.
+// Throws InputError for text that is no event log, and for two logs with nothing to compare.
 // Cut-off logs are compared as far as they go. `most`: differences to be listed. Cost: linear in the logs
 // but for a sort, and for events that come often, and not as often in both; both are held in memory.
 LogDifference diff_logs(std::string_view text_a, const std::string& file_a, std::string_view text_b,
-                        const std::string& file_b, std::size_t most = 0);
+                        const std::string& file_b, std::size_t most = 0,
+                        Compared compared = Compared::kEvents);
 
 }  // namespace kinex::formats
 

@@ -25,7 +25,7 @@ namespace {
 
 struct DiffOptions {
   std::string a, b;
-  bool json = false, all = false;
+  bool json = false, all = false, attributes = false;
 };
 
 // Differences that are listed unless all are asked for.
@@ -199,10 +199,11 @@ void write_differences(formats::JsonWriter& json, const formats::LogDifference& 
   json.end_array();
 }
 
-std::string json_text(const formats::LogDifference& difference, bool all) {
+std::string json_text(const formats::LogDifference& difference, const DiffOptions& options) {
   std::string text;
   formats::JsonWriter json(text);
   json.begin_object().key("equal").boolean(difference.equal());
+  json.key("compared").string(options.attributes ? "attributes" : "events");
   json.key("same_scene").boolean(!difference.other_scenes);
   json.key("only_in").begin_array();
   write_labels(json, difference.only_a);
@@ -224,7 +225,7 @@ std::string json_text(const formats::LogDifference& difference, bool all) {
   json.key("other_records").number(difference.other_records);
   json.key("after_end").begin_array().number(difference.after_b).number(difference.after_a);
   json.end_array().key("instants_compared").string(compared_name(difference.instants));
-  if (all) write_differences(json, difference);
+  if (options.all) write_differences(json, difference);
   json.end_object();
   return text + "\n";
 }
@@ -233,7 +234,9 @@ void diff(const DiffOptions& options, const Voice& voice, int& exit_code) {
   const std::string a = formats::read_text_file(options.a);
   const std::string b = formats::read_text_file(options.b);
   const std::size_t most = options.all ? std::numeric_limits<std::size_t>::max() : kListed;
-  const formats::LogDifference difference = formats::diff_logs(a, options.a, b, options.b, most);
+  const formats::LogDifference difference = formats::diff_logs(
+      a, options.a, b, options.b, most,
+      options.attributes ? formats::Compared::kAttributes : formats::Compared::kEvents);
   for (const formats::KindDifference& one : difference.kinds) {
     voice.detail(formats::plain(one.structure) + " " + one.kind + ": " + std::to_string(one.events_a) + " and " +
                  formats::counted(one.events_b, "record", "records") + ", " +
@@ -241,7 +244,7 @@ void diff(const DiffOptions& options, const Voice& voice, int& exit_code) {
                  " invented");
   }
   if (options.json) {
-    print(json_text(difference, options.all));
+    print(json_text(difference, options));
   } else {
     voice.report(plain_text(difference, options));
   }
@@ -255,6 +258,8 @@ void add_diff_verb(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand("diff", "Compares two event logs");
   verb->add_option("LOG", options->a, "The log to compare with")->required();
   verb->add_option("OTHER", options->b, "The log that may miss or invent events")->required();
+  verb->add_flag("--attributes", options->attributes,
+                 "Compare the changes of the attributes, whatever the structures for them");
   verb->add_flag("--json", options->json, "Print one JSON object");
   verb->add_flag("--all", options->all,
                  "List all records that differ, not the first 10; with --json their lines");
@@ -271,8 +276,15 @@ void add_diff_verb(CLI::App& app, int& exit_code) {
       "and named. Where one log ends before the other, what follows in that is counted\n"
       "apart: it is neither missing nor invented, but the logs differ. \"status\",\n"
       "\"reached\" and \"after_end\" of --json say how both logs end.\n"
+      "With --attributes external events alone are compared, by what they change, those\n"
+      "at one instant in no order: structures for one attribute (kinex list structures\n"
+      "has their groups) agree, whatever their certificates.\n"
       "Example:\n"
-      "  kinex diff exact.log double.log");
+      "  kinex diff exact.log double.log\n"
+      "Two structures on one scene:\n"
+      "  kinex run scene.json --maintain ONE --events one.jsonl\n"
+      "  kinex run scene.json --maintain OTHER --events other.jsonl\n"
+      "  kinex diff --attributes one.jsonl other.jsonl");
   verb->callback([options, verb, &exit_code] { diff(*options, voice_of(*verb), exit_code); });
 }
 

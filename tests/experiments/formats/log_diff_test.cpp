@@ -276,6 +276,36 @@ TEST(LogDiff, OneEndsBeforeTheOther) {
   EXPECT_EQ(torn.after_b, 1u);
 }
 
+// Attributes: external events by what they change, whatever their kind; within an instant in no order.
+TEST(LogDiff, ChangesOfAttributes) {
+  const auto compare = [](const std::vector<Said>& a, const std::vector<Said>& b) {
+    return formats::diff_logs(made_log(a, true) + last_line("done", "9"), "a",
+                              made_log(b, true) + last_line("done", "9"), "b", 9, formats::Compared::kAttributes);
+  };
+  const std::vector<Said> one = {
+      {"swap", "a", true, at(1)}, {"swap", "b", true, at(1)}, {"order", "x", false, at(1)}, {"swap", "c", true, at(2)}};
+  std::vector<Said> other = {
+      {"swap", "b", true, at(1)}, {"tie", "a", true, at(1)}, {"swap", "c", true, at(2)}, {"order", "y", false, at(3)}};
+  const formats::LogDifference same = compare(one, other);
+  EXPECT_TRUE(same.equal());
+  EXPECT_EQ(same.events_a, 3u);
+  EXPECT_EQ(same.events_b, 3u);
+  // At another instant.
+  other[2].time = at(3);
+  const formats::LogDifference late = compare(one, other);
+  EXPECT_EQ(late.first, 3u);
+  EXPECT_EQ(late.other_instants, 1u);
+  // A change that is missing, and named by its line.
+  other.erase(other.begin() + 1);
+  other[1].time = at(2);
+  const formats::LogDifference less = compare(one, other);
+  EXPECT_EQ(less.missing, 1u);
+  EXPECT_EQ(less.invented + less.out_of_order + less.other_instants, 0u);
+  ASSERT_EQ(less.differences.size(), 1u);
+  EXPECT_EQ(less.differences[0].line_a, 2u);
+  EXPECT_FALSE(less.equal());
+}
+
 // A log that was cut off anywhere behind its first line is read as far as its lines are whole.
 TEST(LogDiff, LogsThatAreCutAnywhere) {
   std::vector<Said> records;
