@@ -41,6 +41,16 @@ class BoxOfHull(OfHull):
             box += [] if least is None else [least, most]
         return box
 
+    def event(self, r, x):
+        super().event(r, x)
+        self.require_members(r, 2)
+        if self.query(r) is not None:
+            self.require(r.ids[0] in self.query(r)[1], "%s is not a failure of the first", r.short())
+
+    def replaced(self, r, before, after):
+        """From one vertex to the next: a side of the box goes along."""
+        self.require(tuple(r.ids) in zip(before, after), "%s: no side changes from the first to the second", r.short())
+
 
 class FarthestDelaunay(OfHull):
     """The edges; vertices on one circle: the fan of the smallest number."""

@@ -60,6 +60,8 @@ class ByTurnedOrders(OfPlans):
     """Replays whose certificates compare two points along directions; of points that are level along one for a while a
     second direction decides. Subclasses have directions(): the predicates."""
 
+    lists = True  # they are kept in lists
+
     def is_level_by_motion(self, ids, x):
         """A new flight plan at x has made two points level along a direction for a while: the claim along the second
         direction is made then, and may be negative before."""
@@ -68,9 +70,15 @@ class ByTurnedOrders(OfPlans):
 
     def require_order(self, r):
         """Two points change their order by a failure of theirs, by none, or where a failure of others has made them
-        neighbours: then they are level along its direction."""
+        neighbours: then they are level along its direction. In lists the one in front is named first, where the two
+        are level for ever along none."""
         query = self.query(r)
-        if query is None or set(query[1]) == set(r.ids):
+        if query is None:
+            return
+        if set(query[1]) == set(r.ids):
+            in_order = not self.lists or tuple(query[1]) == tuple(r.ids)
+            self.require(in_order or any(self.world.is_zero((direction, r.ids)) for direction in self.directions()),
+                         "%s: the first one was behind the other", r.short())
             return
         self.require(any(self.world.is_zero((name, r.ids)) for name, _ in self.meanings(*query)),
                      "%s is not a failure of the two points", r.short())

@@ -26,6 +26,7 @@ class Octants(ByTurnedOrders):
 
     def __init__(self, checker, structure):
         super().__init__(checker, structure)
+        self.lists = structure.name == "octants_listed"
         self.pointers, self.pairs, self.missing = {}, [], None
         self.proofs = [Proof(self.world, self.label, checker.on[4])]  # without claims
         checker.note_partly(self.label, "internal events: lists and certificates are not followed")

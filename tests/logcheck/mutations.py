@@ -4,7 +4,8 @@
 usage: mutations.py PROGRAM LOGCHECK_FOLDER LOGS [STRUCTURE,...|all [SEED]]
 
 Makes LOGS random runs, of all structures (or of these) in turn, from SEED (default: a fixed one), and applies every kind
-of change below to each log, at a random place where it is possible. Exit code 77: the program writes logs of version 1.
+of change below to each log, at a random place where it is possible. LOGS may be "each": one short log of each structure.
+Exit code 77: the program writes logs of version 1.
 Internal events that the checker reports as not followed (those of bodies, and of hulls with identical ties) are left
 alone. An accepted log that means the same as the original one (see equivalent) is counted apart, and so is one within a
 limit of the checker that its README states.
@@ -18,6 +19,8 @@ from fractions import Fraction
 
 import logs
 
+SHORT = 30  # records of a log, if there is one among LOOKS of its structure that is as short
+LOOKS = 20
 COMMON = ["motion", "insert", "erase", "settled", "rebuild"]
 
 
@@ -199,7 +202,7 @@ def equivalent(change, before, after, i, kinds):
         if not (a["external"] or b["external"]):
             return "two internal events at one instant"
     at = [r for r in before if same_instant(r, before[i]) and r["structure"] == before[i]["structure"]]
-    if "yt" in kinds and not before[i]["external"] and change in ("event_out", "kind"):
+    if "yt" in kinds and not before[i]["external"] and change in ("event_out", "kind", "ids_exchanged", "other_ids"):
         if len([r for r in at if not r["external"]]) > 1:
             return LIMIT_HULL
     if "yt" in kinds and change == "end_cut" and after:
@@ -219,7 +222,7 @@ def followed_records(done, records):
 
 
 def main():
-    program, folder, count = sys.argv[1], sys.argv[2], int(sys.argv[3])
+    program, folder = sys.argv[1:3]
     modules = logs.checker(folder)
     logs.skip_old(program)
     rng = random.Random(int(sys.argv[5]) if len(sys.argv) > 5 else 20261122)
@@ -227,9 +230,11 @@ def main():
     reasons = collections.Counter()
     known = logs.Structures(program)
     structures = sys.argv[4].split(",") if len(sys.argv) > 4 and sys.argv[4] != "all" else known.all
+    each = sys.argv[3] == "each"
+    count = len(structures) if each else int(sys.argv[3])
     lines = 0
     with tempfile.TemporaryDirectory() as scratch:
-        done = 0
+        done = looks = 0
         while done < count:
             structure = structures[done % len(structures)]
             path, where = logs.drawn_scene(rng, program, scratch, structure, known)
@@ -237,6 +242,9 @@ def main():
             if data is None:
                 continue
             header, records, last = logs.parsed(data)
+            looks += 1
+            if each and looks < LOOKS and not 3 <= len(records) <= SHORT:
+                continue
             if not records and rng.random() < 0.9:
                 continue
             verdict, message, checked = logs.check(modules, data, path)
@@ -247,6 +255,7 @@ def main():
                 sys.exit(f"a log of {structure} ({where}), sealed again, is refused")
             lines += len(records)
             done += 1
+            looks = 0
             mutator = Mutator(rng, modules, header, records, last, followed_records(checked, records))
             for change in Mutator.CHANGES:
                 name = change.__name__

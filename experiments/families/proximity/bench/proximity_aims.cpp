@@ -3,9 +3,10 @@
 //   to have: time in `exact` over that in doubles, failures and external events per second, trees against
 //   the triangulation that they read?
 // Workload: the linear rows of `speed` of three families, without those full of ties or of new plans. Rounds
-//   of both arithmetics are interleaved, three of each, of 0.7 seconds or more; the best run counts. Each
-//   row is measured in a process of its own (own_process.h): in one for all, later rows may be
-//   slower than the same rows alone. A tree and the triangulation that it reads take turns besides, seven each.
+//   of both arithmetics are interleaved, seven of each, of 0.3 seconds or more; the best run counts: a machine
+//   that others share changes its speed within seconds, and few long rounds may find it fast for one way alone.
+//   Each row is measured in a process of its own (own_process.h): in one for all, later rows may be
+//   slower than the same rows alone. A tree and the triangulation that it reads take turns besides.
 // Times: thread CPU time of the run, structures that are read included. That of building them at the start
 //   is a column of its own, and in no rate or ratio. Some rows stop after a number of failures: a column
 //   says so.
@@ -54,8 +55,8 @@ constexpr int kUsualDegree = 2;
 constexpr std::array<std::string_view, 2> kInSpace{"delaunay_3",
                                                    "regular_3"};  // with an aim all the same
 constexpr double kMostRatio = 1.3, kMostRatioInSpace = 1.5;
-constexpr double kLeastSeconds = 0.7;
-constexpr int kTurns = 7;  // of a tree and its triangulation
+constexpr double kLeastSeconds = 0.3;
+constexpr int kTurns = 7;
 // Of more points doubles may take hours: a structure that has lost its way makes all anew at every instant.
 constexpr int kMostInDoubles = 5000;
 constexpr std::string_view kSame = "report the same", kNotRun = "are not run";
@@ -154,8 +155,10 @@ Measured measure(const lab::BenchRow& row, const lab::BenchOptions& options) {
         verdict_on(reported_by(scene, {.arithmetic = "double", .events = most}), exact, most);
   std::vector<lab::BenchWay> ways{{.arithmetic = "exact", .events = most}};
   if (m.doubles == kSame) ways.push_back({.arithmetic = "double", .events = most});
-  const std::vector<lab::BenchRun> best = lab::best_runs(
-      scene, ways, {.count = row.rounds, .least_seconds = options.smoke ? 0 : kLeastSeconds});
+  const std::vector<lab::BenchRun> best =
+      lab::best_runs(scene, ways,
+                     {.count = options.smoke ? row.rounds : kTurns,
+                      .least_seconds = options.smoke ? 0 : kLeastSeconds});
   m.failures = best[0].events;
   m.external = best[0].external();
   m.build = best[0].build;
