@@ -2,16 +2,17 @@
 // Question: do the structures for near points, triangulations and arrangements reach the speed that they are
 //   to have: time in `exact` over that in doubles, failures and external events per second, trees against
 //   the triangulation that they read?
-// Workload: the linear rows of `speed` of three families, without those full of ties or of new plans. Rounds
-//   of both arithmetics are interleaved, seven of each, of 0.3 seconds or more; the best run counts: a machine
-//   that others share changes its speed within seconds, and few long rounds may find it fast for one way alone.
-//   Each row is measured in a process of its own (own_process.h): in one for all, later rows may be
-//   slower than the same rows alone. A tree and the triangulation that it reads take turns besides.
+// Workload: the linear rows of `speed` of three families, without those full of ties or of new plans. Each
+//   row is measured in a process of its own (own_process.h): in one for all, later rows may be
+//   slower than the same rows alone. What is compared runs in pairs (compare): `exact` and doubles; a tree and
+//   the triangulation that it reads.
 // Times: thread CPU time of the run, structures that are read included. That of building them at the start
 //   is a column of its own, and in no rate or ratio. Some rows stop after a number of failures: a column
 //   says so.
-// Ratio: of runs with the same failures and the same external events (ChangesDigest) of all structures; else
-//   0, and a column says what doubles do. More than 5000 points are run in `exact` alone.
+// Ratio: the median over the pairs, of runs with the same failures and the same external events
+//   (ChangesDigest) of all structures; else 0, and a column says what doubles do. More than 5000 points are run
+//   in `exact` alone. On a machine that others share the speed changes by more than half, for seconds at a
+//   time: of the best runs of both one may have been slow throughout, of a pair hardly.
 // Aims of ratios: of structures whose own certificates are of degree 2 or less (kHigherDegree), and of
 //   triangulations in space. Scenes on which doubles report other changes are listed, too.
 // Output: see result_table.h; options: see bench_options.h. A run in part (--rows) has no aims.
@@ -55,8 +56,8 @@ constexpr int kUsualDegree = 2;
 constexpr std::array<std::string_view, 2> kInSpace{"delaunay_3",
                                                    "regular_3"};  // with an aim all the same
 constexpr double kMostRatio = 1.3, kMostRatioInSpace = 1.5;
-constexpr double kLeastSeconds = 0.3;
-constexpr int kTurns = 7;
+constexpr std::size_t kLeastPairs = 9, kMostPairs = 101;  // odd, as medians like them
+constexpr double kPairedSeconds = 3;                      // enough, with kLeastPairs
 // Of more points doubles may take hours: a structure that has lost its way makes all anew at every instant.
 constexpr int kMostInDoubles = 5000;
 constexpr std::string_view kSame = "report the same", kNotRun = "are not run";
@@ -73,6 +74,39 @@ struct Measured {
   std::string_view doubles = kNotRun;  // what they do
   double ratio = 0;                    // over doubles that report the same
 };
+
+using Way = std::function<lab::BenchRun()>;
+
+// The best runs of both, and the median of the ratios of the first one's time to that of the other in the
+// same pair. Who goes first changes from pair to pair.
+struct Pairs {
+  lab::BenchRun first, other;
+  double ratio = 0;
+};
+
+Pairs compare(const Way& first, const Way& other, bool smoke) {
+  Pairs pairs;
+  std::vector<double> ratios;
+  double spent = 0;
+  const auto is_enough = [&] {
+    if (smoke) return !ratios.empty();
+    if (ratios.size() < kLeastPairs || ratios.size() % 2 == 0) return false;
+    return spent >= kPairedSeconds || ratios.size() >= kMostPairs;
+  };
+  while (!is_enough()) {
+    const bool turned = ratios.size() % 2 == 1;
+    lab::BenchRun later, one = turned ? other() : first();
+    later = turned ? first() : other();
+    if (turned) std::swap(one, later);
+    spent += one.seconds + one.build + later.seconds + later.build;
+    if (ratios.empty() || one.seconds < pairs.first.seconds) pairs.first = one;
+    if (ratios.empty() || later.seconds < pairs.other.seconds) pairs.other = later;
+    ratios.push_back(one.seconds / later.seconds);
+  }
+  std::ranges::sort(ratios);
+  pairs.ratio = ratios[ratios.size() / 2];
+  return pairs;
+}
 
 bool is_one_of(std::string_view name, const auto& names) {
   return std::ranges::find(names, name) != names.end();
@@ -153,17 +187,22 @@ Measured measure(const lab::BenchRow& row, const lab::BenchOptions& options) {
   if (row.parameters.n <= kMostInDoubles)
     m.doubles =
         verdict_on(reported_by(scene, {.arithmetic = "double", .events = most}), exact, most);
-  std::vector<lab::BenchWay> ways{{.arithmetic = "exact", .events = most}};
-  if (m.doubles == kSame) ways.push_back({.arithmetic = "double", .events = most});
-  const std::vector<lab::BenchRun> best =
-      lab::best_runs(scene, ways,
-                     {.count = options.smoke ? row.rounds : kTurns,
-                      .least_seconds = options.smoke ? 0 : kLeastSeconds});
-  m.failures = best[0].events;
-  m.external = best[0].external();
-  m.build = best[0].build;
-  m.seconds = best[0].seconds;
-  if (m.doubles == kSame) m.ratio = best[0].seconds / best[1].seconds;
+  const auto run_in = [&scene, most](const char* arithmetic) {
+    return lab::run_once(scene, {.arithmetic = arithmetic, .events = most});
+  };
+  Pairs pairs;
+  if (m.doubles == kSame) {
+    pairs =
+        compare([&] { return run_in("exact"); }, [&] { return run_in("double"); }, options.smoke);
+    m.ratio = pairs.ratio;
+  } else {
+    const int rounds = options.smoke ? 1 : static_cast<int>(kLeastPairs);
+    pairs.first = lab::best_of_rounds({[&] { return run_in("exact"); }}, {.count = rounds})[0];
+  }
+  m.failures = pairs.first.events;
+  m.external = pairs.first.external();
+  m.build = pairs.first.build;
+  m.seconds = pairs.first.seconds;
   return m;
 }
 
@@ -178,22 +217,17 @@ std::string place(const Measured& m) {
   return std::string(m.scene) + axes + ", n = " + std::to_string(m.n);
 }
 
-// Both runs have the same flips; that of the tree has further events. They take turns: rows that are
-// measured minutes apart may find the machine at different speeds.
+// Both runs have the same flips; that of the tree has further events.
 struct TreeTimes {
-  double tree = 0, read = 0;  // seconds
+  double ratio = 0;
   std::uint64_t tree_failures = 0, read_failures = 0;
 };
 
 TreeTimes measure_trees(const lab::BenchRow& tree, const lab::BenchRow& read) {
-  const Scene scenes[] = {lab::scene_of(tree), lab::scene_of(read)};
-  std::vector<std::function<lab::BenchRun()>> ways;
-  for (const Scene& scene : scenes) {
-    ways.emplace_back([&scene] { return lab::run_once(scene, {.arithmetic = "exact"}); });
-  }
-  const std::vector<lab::BenchRun> best =
-      lab::best_of_rounds(ways, {.count = kTurns, .least_seconds = kLeastSeconds});
-  return {best[0].seconds, best[1].seconds, best[0].events, best[1].events};
+  const Scene with_tree = lab::scene_of(tree), alone = lab::scene_of(read);
+  const Pairs pairs = compare([&] { return lab::run_once(with_tree, {.arithmetic = "exact"}); },
+                              [&] { return lab::run_once(alone, {.arithmetic = "exact"}); }, false);
+  return {pairs.ratio, pairs.first.events, pairs.other.events};
 }
 
 const lab::BenchRow* whole_row(const std::vector<lab::BenchRow>& rows, std::string_view structure,
@@ -211,13 +245,13 @@ void compare_trees(const std::vector<lab::BenchRow>& rows, std::string_view tria
   const lab::BenchRow* const read = whole_row(rows, triangulation, n);
   if (tree == nullptr || read == nullptr) return;
   const TreeTimes t = lab::in_own_process([&] { return measure_trees(*tree, *read); });
-  const double time = t.tree / t.read;
   const std::string both = " of emst_cycles over that of " + std::string(triangulation) +
-                           ", in turns, n = " + std::to_string(n);
-  aims.push_back({"time" + both, 2, time, true});
+                           ", in pairs, n = " + std::to_string(n);
+  aims.push_back({"time" + both, 2, t.ratio, true});
   aims.push_back(
       {"time per failure" + both, 2,
-       time * static_cast<double>(t.read_failures) / static_cast<double>(t.tree_failures), true});
+       t.ratio * static_cast<double>(t.read_failures) / static_cast<double>(t.tree_failures),
+       true});
 }
 
 // The worst row of each structure, of those that have a ratio.
