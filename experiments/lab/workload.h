@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Workloads: named families of scenes. The same name, parameters and seed give the same scene, byte
+// Workloads: named generators of scenes. The same name, parameters and seed give the same scene, byte
 // by byte, on every machine: only integers are drawn, and nothing is computed in floating point.
 #ifndef KINEX_EXPERIMENTS_LAB_WORKLOAD_H
 #define KINEX_EXPERIMENTS_LAB_WORKLOAD_H

@@ -19,7 +19,7 @@ LEVELS = {
     1: "every instant's name, and their order",
     2: "every certificate, made anew: zero at its instant and negative right after it",
     3: "replay: every event is legal where it stands",
-    4: "completeness: a proof of the checker's own, with no failure that no event tells",
+    4: "completeness: the checker's own proof, in which every failure has its event",
     5: "small scenes: the attribute from scratch between all instants at which it could change",
 }
 

@@ -124,8 +124,8 @@ void add_export_verb(CLI::App& app, int&) {
   verb->footer(
       "Linear motions with decimals are written as they are: kinex import gives the\n"
       "same scene again, with the same hash. Discs, boxes, lines and bodies that turn\n"
-      "are refused. Elsewhere properties.kinex.error_at_most of a feature bounds the\n"
-      "error of its places.\n"
+      "are refused. For all other motions properties.kinex.error_at_most of a feature\n"
+      "bounds the error of its positions.\n"
       "Example:\n"
       "  kinex export square.json --mf-json -o square.mfjson");
   verb->callback([options, verb] { export_scene(*options, voice_of(*verb)); });

@@ -79,7 +79,7 @@ std::string size_text(const std::string& text, const std::string& usual, int lab
 std::string footer_of(const std::string& name) {
   const lab::Workload* const workload = lab::find_workload(name);
   if (workload == nullptr) {
-    return "Families:\n" + listed(80) +
+    return "Workloads:\n" + listed(80) +
            "\nThe options of one: kinex gen WORKLOAD --help"
            "\nExample:\n  kinex gen uniform-square --n 100 --seed 7 -o square.json";
   }
@@ -269,7 +269,7 @@ void add_gen_verb(CLI::App& app, int&) {
   verb->add_option("--m", options->m,
                    size_text("Second size, where a workload has one", "same as --n",
                              &lab::Workload::default_m, 0));
-  verb->add_option("--seed", options->seed, "Seed of the random families (1)");
+  verb->add_option("--seed", options->seed, "Seed of the random workloads (1)");
   verb->add_option("--degree", options->parameters.degree, "Degree of the motion (1)");
   verb->add_option("--dimension", options->dimension, "Axes, 1 to 3");
   verb->add_option("--separation", options->separation, "Distance between two bodies");

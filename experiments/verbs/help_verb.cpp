@@ -61,7 +61,7 @@ std::string help_of(const CLI::App& app, const std::vector<std::string>& words,
 void add_help_verb(CLI::App& app, int&) {
   auto words = std::make_shared<std::vector<std::string>>();
   CLI::App* verb = app.add_subcommand("help", "Prints the help of the program or of a verb");
-  verb->add_option("VERB", *words, "A verb, and a verb of that: sweep run");
+  verb->add_option("VERB", *words, "A verb, or a verb and its subcommand, as in: sweep run");
   add_voice(*verb, "Print the names of verbs alone", "Print the help of all verbs below, too");
   verb->footer("Example:\n  kinex help run");
   verb->callback([words, verb, &app] { print(help_of(app, *words, voice_of(*verb))); });

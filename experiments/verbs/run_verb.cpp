@@ -406,7 +406,8 @@ void add_run_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--max-seconds", options->max_seconds,
                    "Give up after this time, reading included (no limit)");
   verb->add_flag("--force", options->force, "Replace output files that exist");
-  add_voice(*verb, "Print no report: what --at, --query, --json, --events - and errors say alone",
+  add_voice(*verb,
+            "Print no report, only errors and the output of --at, --query, --json and --events -",
             "Print the model in detail, as --explain does, before the run");
   verb->footer("Structures (kinex list structures, kinex explain NAME):\n" +
                lab::structure_names_by_family() +

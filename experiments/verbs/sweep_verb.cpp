@@ -417,7 +417,7 @@ void add_merge(CLI::App& sweep, int& exit_code) {
       "Attempts at one cell must agree in every exact field; if two do not, both lines\n"
       "are printed and nothing is written. The exact tables (plan, cell, run, counter,\n"
       "extreme, bound, violation) do not depend on shards, jobs and attempts;\n"
-      "provenance and attempt say who ran what, and how long it took.\n"
+      "provenance and attempt say which build and machine ran what, and how long.\n"
       "Exit codes: 1 a conflict, or cells failed; 3 cells are missing or reached a\n"
       "limit; the database is written unless there is a conflict.\n"
       "Example:\n"

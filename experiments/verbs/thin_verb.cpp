@@ -94,7 +94,8 @@ void add_thin_verb(CLI::App& app, int&) {
   add_voice(*verb, "Print the scene and errors, no counts",
             "Name the points that are left, on standard error");
   verb->footer(
-      "The guarantee is a theorem, made in exact arithmetic; the width has none.\n"
+      "The guarantee is a theorem, and the computation is exact; for the width there is\n"
+      "no guarantee.\n"
       "Points that keys, queries and \"of\" of \"maintain\" name are kept, and one of each\n"
       "colour that it names.\n"
       "Example:\n  kinex thin square.json --error 1/50 -o thin.json");

@@ -16,7 +16,7 @@
 //   separation_mixed      the mixed hierarchy, for rigid motions; never built whole
 //   separation_minkowski  the hierarchy of M (separation_minkowski.h), for bodies that do not turn
 //
-// Compactness: at most 6 certificates a pair; O(n) space for the trees.
+// Compactness: at most 6 certificates a pair, 8 while a body slides along the other; O(n) space for the trees.
 // Responsiveness: O(depth) signs and at most 6 new certificates an event. In numbers: a failure
 // takes at most 2 (l + 1) + 33 signs, l the larger of the levels of the old and the new tile
 // (kSignsPerLevel, kSigns), and 24 more where the bodies touch (kSignsOfTouch); the bound does not

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // DirectionMaxima: the extreme object in each of a set of directions, which come in opposite pairs.
 //
-// Of a structure that maintains them it holds the certificates; the structure hands it failures and
-// changes. Certificates: "the winner is at least as far in direction u_i as that one", degree d in
+// It holds the certificates of the structure that maintains them, which passes failures and changes
+// on to it. Certificates: "the winner is at least as far in direction u_i as that one", degree d in
 // t for motions of degree d.
 //
 //   LineMaxima         the dual hull of linear motions (LineHull): one certificate a direction; a

@@ -15,10 +15,9 @@
 // three cases (disc_gaps.h), two or three certificates of degrees D, 2D, 4D for motions and radii of
 // degree D. And one of degree 2D: the discs of the winner are apart, or meet.
 //
-// Quality, for n discs in the plane, or balls that are all in one plane of space: at most 9n - 20 certificates of
-// its own, else in space 3 C(n,2) - 2; so too where all discs are on one line, since the triangulation then names
-// all pairs. Not local; a flip or
-// a failure renews O(log n). What changes more than one edge (a disc that shows or hides, a new flight
+// Quality, for n discs: at most 9n - 20 certificates of its own in the plane, and for balls that are all
+// in one plane of space; at most 3 C(n,2) - 2 otherwise in space, and where all discs are on one line,
+// since the triangulation then names all pairs. Not local; a flip or a failure renews O(log n). What changes more than one edge (a disc that shows or hides, a new flight
 // plan, discs that come or go, a degenerate instant) reads all edges, and renews O(log n) certificates
 // for each changed one. Failures that change the case of a duel alone change no winner.
 //

@@ -61,7 +61,7 @@ class ConeNeighbours : public Structure {
   // The pairs of the attribute, ascending, and whether one is among them.
   std::vector<Pair> pairs() const;
   bool has(const Pair& pair) const;
-  // `watcher` lives as long as changes are made. It changes nothing of the cones.
+  // `watcher` lives as long as changes are made. It must not change the cones.
   void add_watcher(ConeWatcher& watcher) const { watchers_.push_back(&watcher); }
 
   Attribute attribute() const override;
@@ -77,7 +77,7 @@ class ConeNeighbours : public Structure {
   ConeWoods& woods() { return woods_; }
   const ConeWoods& woods() const { return woods_; }
   bool all_told() const { return changes_.empty(); }
-  // Nothing is left to be reported.
+  // Discards the changes that have not been reported.
   void begin() { changes_.clear(); }
   // next(cone, p) has become another one.
   virtual void pointer_changed(std::size_t cone, ObjectId p) {
@@ -86,7 +86,8 @@ class ConeNeighbours : public Structure {
   }
   // A failure was repaired: reports what has changed, now or when the instant is over.
   void repaired();
-  // A pointer follows a lower envelope of segments: linear motions without flight-plan changes, and some point.
+  // True if every pointer follows a lower envelope of segments: motions are linear, flight plans do not change,
+  // and there is a point.
   static bool has_segments(const BoundContext& context);
   // How often all pointers change then. Requires has_segments().
   Integer most_pointer_changes(const BoundContext& context) const;

@@ -4,7 +4,7 @@
 // A cycle belongs to its longest edge, the owner. Each other edge of it, `inside`, has one record: the
 // certificate that `inside` is at most as long as `outside`, which is the owner or another edge of the
 // cycle, so that all records of an owner together say that it is the longest. Which cycle that is, and
-// what a failure means, is the affair of the structure.
+// what a failure means, is up to the structure.
 #ifndef KINEX_STRUCTURES_PROXIMITY_CYCLE_RECORDS_H
 #define KINEX_STRUCTURES_PROXIMITY_CYCLE_RECORDS_H
 
@@ -41,7 +41,7 @@ class CycleRecords {
   std::span<const Place> uses(Item inside) const { return uses_[inside]; }
   std::size_t size() const { return records_.size() - free_.size(); }
 
-  // Numbers of edges are below.
+  // All numbers of edges are less than `items`.
   void make_room(std::size_t items);
   void add(Item inside, Item outside, Item owner);
   // The record has these edges from now on.
@@ -84,7 +84,7 @@ class CycleRecords {
 
   // Each record of the cycle holds its claim, and ties in the right order.
   void check(Item owner, AuditReport& report) const;
-  // No certificate belongs to no record.
+  // Every certificate belongs to a record.
   void check_all(AuditReport& report) const;
   std::size_t bytes() const;
 

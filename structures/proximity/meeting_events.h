@@ -39,7 +39,7 @@ class MeetingEvents {
       changes_.gone({a, b});
     }
   }
-  // Nothing is left to be reported.
+  // Discards the changes that have not been reported.
   void begin() { changes_.clear(); }
   // A failure about these two objects (or one: a == b) was repaired. Reports at least one event, of
   // this kind if nothing changes.

@@ -5,7 +5,7 @@
 // are flips like all others. One certificate per edge uv with opposite vertices p and q, for
 // motions of degree d:
 //   all four finite    q is not inside the circle through u, v, p    in_circle_2,   degree 4d
-//   p or q infinite    the other one is inside the hull edge uv      orientation_2, degree 2d
+//   p or q infinite    the other one is on the inner side of uv      orientation_2, degree 2d
 //   u or v infinite    the hull turns left at the other end          orientation_2, degree 2d
 //                      if its turn is identically zero: that end is
 //                      between its neighbours on the hull            obtuse_angle_2, degree 2d

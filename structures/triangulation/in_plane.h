@@ -3,9 +3,9 @@
 // in common: FlatTriangulation of delaunay_3, FlatRegular of regular_3. A part of a structure, whose cells it has
 // none of: all of its events are internal, and it tells readers of edges that the structure has changed within.
 //
-// It works in projection on two axes: the first of xy, xz, yz on which the plane is not identically upright.
+// It works in projection on two axes: the first of xy, xz, yz on which the plane is not identically vertical.
 //
-// The plane stands upright on its two axes at an instant: all orientations and circles are zero then. If they
+// The plane is vertical over its two axes at an instant: all orientations and circles are zero then. If they
 // change their signs, the projections of all triangles turn over, and the triangulation stays. It is built
 // anew right after the instant, which is a rebuild with a reason, and needs no other axes. Likewise where all
 // points meet on a line.
@@ -94,7 +94,7 @@ class InPlane : public Base {
   PlaneKinds plane_kinds_;
   std::array<std::optional<Geometry>, 3> geometries_;  // that were needed so far
   std::size_t pair_ = 0;                               // the axes in use, of kAxisPairs
-  // The number of the last instant at which it could have been upright.
+  // The number of the last instant at which it could have been vertical.
   std::uint64_t looked_at_ = 0;
 };
 

@@ -51,9 +51,9 @@ class LiftedGeometry {
   // positive iff the last one is below the plane of the others, which are upright, all lifted.
   LiftedGeometry(Kernel& kernel, ObjectId infinity, std::shared_ptr<const Predicate> power);
   // The triangulation of points of space that are all in one plane, in projection on two axes on which the
-  // plane is not identically upright. `power`: of four points, with the heights of space, of the sign of the
+  // plane is not identically vertical. `power`: of four points, with the heights of space, of the sign of the
   // projection. The two axes decide whether points are equal: not so at an instant at which the plane is
-  // upright. For a complex of the plane.
+  // vertical. For a complex of the plane.
   LiftedGeometry(Kernel& kernel, ObjectId infinity, AxisPair axes,
                  std::shared_ptr<const Predicate> power);
 

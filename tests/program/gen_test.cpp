@@ -30,12 +30,12 @@ TEST(Gen, HelpNamesTheSizesOfAWorkload) {
   EXPECT_THAT(gen({"walks", "--help"}).out,
               AllOf(HasSubstr("  --n  objects: 100 by default, 1 at least\n"),
                     HasSubstr("  --m  flight plans of each object: 20 by default, 1 at least\n"),
-                    Not(HasSubstr("Families:"))));
+                    Not(HasSubstr("Workloads:"))));
   EXPECT_THAT(gen({"hull-worst", "--help"}).out,
               AllOf(HasSubstr("  --n  moving points: 100 by default, 1 at least\n"),
                     HasSubstr("  --m  slow points: as --n by default, 1 at least\n")));
   const std::string all = gen({"--help"}).out;
-  EXPECT_THAT(all, HasSubstr("Families:"));
+  EXPECT_THAT(all, HasSubstr("Workloads:"));
   std::string text;  // without line breaks
   for (const char c : all) {
     if (c != '\n' && (c != ' ' || (!text.empty() && text.back() != ' '))) text += c;

@@ -12,7 +12,7 @@
 //   events of two structures for it like n^2 and n^1.5; changes of the spanning tree like n^1.5. A law
 //   with a logarithm is compared with its neighbours, other powers of the logarithm and a power of n.
 // Left out: the report's structure with n^1.5 events, which it does not describe; octants_local is ours.
-// Cost: an hour; --quick: minutes.
+// Cost: at most half an hour of CPU time; --quick: minutes.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

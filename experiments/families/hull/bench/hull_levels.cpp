@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions: in how many certificates is one point at most, on every workload in the plane, against
+// Questions: in how many certificates is one point at most, on 16 workloads in the plane, against
 //   log2 n (locality)? And at which heights of the tree do the events of random motion happen?
 // Bound on locality: c per half and level, c = 24 (structures/hull/convex_hull_2.h); the column
 //   `per_half_and_level` is the smallest sufficient c. Runs stop after 200,000 events, in
@@ -32,7 +32,7 @@ struct Family {
   bool degenerate;  // ties, or many events at one instant
 };
 
-// Every workload of dimension 2; in hull-worst, n counts both kinds of points.
+// Workloads of dimension 2; in hull-worst, n counts both kinds of points.
 constexpr Family kFamilies[] = {
     {"uniform-square", 1, 100000, false},   {"uniform-square", 2, 100000, false},
     {"uniform-square", 3, 100000, false},   {"uniform-disk", 1, 100000, false},
