@@ -22,11 +22,10 @@ class Writer {
   explicit Writer(lab::ResultDatabase& database) : database_(database) {}
 
   void write(const lab::CellResult& cell) {
-    const std::optional<double> ratio = cell.contest ? cell.contest->ratio : std::nullopt;
     const std::int64_t id = database_.insert(
         "cell", nullptr, cell.cell.structure, cell.cell.workload, cell.cell.family,
         parameters_json(cell, true), cell.cell.question, lab::check_word(cell.verdict()),
-        lab::number_text(ratio, 4), cell.seconds);
+        lab::number_text(exact_over_double(cell), 4), cell.seconds);
     std::vector<std::int64_t> runs;
     for (const lab::Trial& trial : cell.trials) runs.push_back(write(id, cell, trial.measurement));
     if (cell.contest) write(id, cell, cell.contest->rival);

@@ -8,13 +8,9 @@
 
 namespace kinex::verify {
 
-namespace {
-
-std::optional<double> ratio_of(const lab::CellResult& cell) {
-  return cell.contest ? cell.contest->ratio : std::nullopt;
+std::optional<double> exact_over_double(const lab::CellResult& cell) {
+  return cell.contest && cell.contest->same_counts ? cell.contest->ratio : std::nullopt;
 }
-
-}  // namespace
 
 std::string parameters_json(const lab::CellResult& cell, bool seeds) {
   const lab::Cell& of = cell.cell;
@@ -55,7 +51,7 @@ std::string json_row(const lab::CellResult& cell) {
     json.null();
   }
   json.members("bound", row.bound == "-" ? std::nullopt : std::optional(row.bound), "checks",
-               cell.checks, "verdict", row.verdict, "exact_over_double", ratio_of(cell),
+               cell.checks, "verdict", row.verdict, "exact_over_double", exact_over_double(cell),
                "double_agrees", cell.contest && cell.contest->same_counts, "kept", cell.kept,
                "seconds", cell.seconds);
   json.end_object();

@@ -21,9 +21,9 @@ std::string mean_count(const lab::CellResult& cell, const lab::Quantity& quantit
 }
 
 std::string ratio_text(const lab::CellResult& cell) {
-  if (!cell.contest) return "-";
-  if (!cell.contest->same_counts) return "differs";
-  return cell.contest->ratio ? fmt::format("{:.2f}", *cell.contest->ratio) : "-";
+  if (cell.contest && !cell.contest->same_counts) return "differs";
+  const std::optional<double> ratio = exact_over_double(cell);
+  return ratio ? fmt::format("{:.2f}", *ratio) : "-";
 }
 
 // Failures are explained in full; a bound that holds needs no words.

@@ -3,6 +3,7 @@
 #ifndef KINEX_EXPERIMENTS_VERIFY_REPORT_TEXT_H
 #define KINEX_EXPERIMENTS_VERIFY_REPORT_TEXT_H
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct CellRow {
   std::vector<std::string> texts(bool bounds) const;
 };
 CellRow cell_row(const lab::CellResult& cell);
+// CPU time in `exact` over that in `double`; nullopt if it was not measured, or doubles had other events.
+std::optional<double> exact_over_double(const lab::CellResult& cell);
 // `bounds`: with a column of bounds. The checks are the last but two, the verdict is the last.
 std::vector<lab::TextColumn> cell_columns(bool bounds);
 

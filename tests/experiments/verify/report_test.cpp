@@ -5,6 +5,7 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <memory>
 
@@ -23,6 +24,7 @@ using test::Folder;
 using test::run;
 using test::small_catalogue;
 using test::sorting_cell;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -250,6 +252,30 @@ TEST(VerifyDatabase, IsReadableStrictAndComplete) {
                   "= 'test.claim' AND kind = 'exact'"),
             "28=28PASS");
   EXPECT_EQ(query(opened, "SELECT count(*) FROM growth WHERE exponent IS NOT NULL"), "1");
+}
+
+// Nowhere is there a ratio of times where doubles handled other events.
+TEST(VerifyDatabase, RatiosAreOfTheSameEvents) {
+  verify::VerifyResult result;
+  result.cells.push_back(run(sorting_cell(28)));
+  lab::CellResult& cell = result.cells.front();
+  const auto texts = [&](bool same_counts) {
+    cell.contest = lab::SpeedContest{cell.trials.front().measurement, 12.5, same_counts};
+    cell.contest->rival.arithmetic = "double";
+    const Folder folder;
+    const std::string path = folder.name() + "/verify.sqlite";
+    std::ofstream(path, std::ios::binary)
+        << verify::verify_database(result, lab::build_facts(), lab::machine_facts());
+    sqlite3* opened = nullptr;
+    sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READONLY, nullptr);
+    const std::unique_ptr<sqlite3, CloseHandle> handle(opened);
+    const std::string stored = query(opened, "SELECT exact_over_double FROM cell");
+    const std::string row = verify::json_row(cell);
+    const std::size_t at = row.find("\"exact_over_double\"");
+    return std::array{stored, row.substr(at, row.find(',', at) - at), verify::cell_row(cell).ratio};
+  };
+  EXPECT_THAT(texts(true), ElementsAre("12.5", "\"exact_over_double\": 12.5", "12.50"));
+  EXPECT_THAT(texts(false), ElementsAre("NULL", "\"exact_over_double\": null", "differs"));
 }
 
 TEST(VerifyPage, HoldsTablesPlotsAndNothingFromOutside) {
