@@ -18,9 +18,9 @@ struct SpeedContest {
   bool same_counts = false;
 };
 
-// `exact`: the measurement of the scene in exact arithmetic. The two arithmetics alternate until
-// each has taken 20 ms: at least one round, at most 40 rounds and a second in all. `options` has
-// the limits of a run. nullopt if the runs were interrupted.
+// `exact`: the measurement of the scene in exact arithmetic with these `options`, the first of its rounds if it was not
+// audited after every event. The two arithmetics alternate until each has taken 20 ms: at least one round, at most
+// 40 rounds, and no further one after 50 ms. nullopt if the runs were interrupted.
 std::optional<SpeedContest> compare_with_double(const Scene& scene, const Measurement& exact,
                                                 SimulatorOptions options);
 
