@@ -93,7 +93,7 @@ void on_larger_lattices(std::uint64_t seeds) {
 
 TEST(Incidences, LargerLattices) { on_larger_lattices(60); }
 
-TEST(SlowIncidences, LargerLattices) { on_larger_lattices(1000); }
+TEST(SlowIncidences, LargerLattices) { on_larger_lattices(500); }
 
 TEST(SlowIncidences, TinyLattices) { on_lattices(3000); }
 

@@ -72,7 +72,7 @@ void on_lattices(std::uint64_t seeds) {
 
 TEST(NormTree, TinyLattices) { on_lattices(100); }
 
-TEST(SlowNormTree, TinyLattices) { on_lattices(1500); }
+TEST(SlowNormTree, TinyLattices) { on_lattices(750); }
 
 TEST(NormTree, RandomFlights) {
   std::uint64_t external = 0, updates = 0;

@@ -132,7 +132,7 @@ TEST(Pairs, TinyLattices) {
 }
 
 TEST(SlowPairs, TinyLattices) {
-  for (std::uint64_t seed = 1; seed <= 900; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 450; ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = lattice_scene(seed, 5 + static_cast<int>(seed % 5), 2);
     const TwinRun pairs(scene, pairs_in(2)), two(coloured(scene, seed), red_and_blue());

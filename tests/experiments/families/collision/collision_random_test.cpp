@@ -340,7 +340,7 @@ TEST(CollisionRuns, SidesThatTurnBackAtATouch) {
   check_drawn(draw_parallel_scene, 1, kSanitized ? 25 : 60, 1, 10);
 }
 TEST(SlowCollisionRuns, SidesThatTurnBackAtATouch) {
-  check_drawn(draw_parallel_scene, 5000, kSanitized ? 50 : 800, 30, 200);
+  check_drawn(draw_parallel_scene, 5000, kSanitized ? 50 : 400, 15, 100);
 }
 TEST(CollisionRuns, LinesAndParabolasOfTheGrid) {
   check_drawn(draw_grid_scene, 90, kSanitized ? 8 : 40, 1, 0);
