@@ -135,7 +135,9 @@ int main(int argc, char** argv) {
   const unsigned long long count = std::strtoull(argv[first], nullptr, 10);
   Mutator mutator(corpus, std::strtoull(argv[first + 1], nullptr, 10));
   if (!one) {
-    for (const std::string& text : corpus) feed(text);
+    for (std::size_t i = 0; i < corpus.size(); ++i) {
+      if (i == 0 || corpus[i] != corpus[i - 1]) feed(corpus[i]);
+    }
   }
   for (unsigned long long i = 1; i <= count; ++i) {
     current_input = i;
