@@ -19,7 +19,7 @@ from fractions import Fraction
 
 import logs
 
-SHORT = 30  # records of a log, if there is one among LOOKS of its structure that is as short
+FEWEST, SHORT = 3, 30  # records of a log, if one among LOOKS of its structure has as many; else the shortest of them
 LOOKS = 20
 COMMON = ["motion", "insert", "erase", "settled", "rebuild"]
 
@@ -216,6 +216,30 @@ def equivalent(change, before, after, i, kinds):
     return None
 
 
+def drawn_log(rng, program, folder, structure, known, each):
+    """(path of the scene, where it is from, log) of a random run; of `each` structure a short one."""
+    best = None
+    looks = 0
+    while True:
+        path, where = logs.drawn_scene(rng, program, folder, structure, known)
+        data = logs.run(program, folder, path)
+        if data is None:
+            continue
+        records = len(logs.parsed(data)[1])
+        if not each:
+            if records or rng.random() >= 0.9:
+                return path, where, data
+            continue
+        looks += 1
+        rank = records < FEWEST, abs(records - FEWEST)
+        if best is None or rank < best[0]:
+            best = rank, path.read_text(), where, data
+        if FEWEST <= records <= SHORT or looks >= LOOKS:
+            _, scene, where, data = best
+            path.write_text(scene)
+            return path, where, data
+
+
 def followed_records(done, records):
     partly = set(done.partly) | set(done.missing)
     return [i for i, r in enumerate(records) if r["external"] or r["structure"] not in partly]
@@ -234,19 +258,10 @@ def main():
     count = len(structures) if each else int(sys.argv[3])
     lines = 0
     with tempfile.TemporaryDirectory() as scratch:
-        done = looks = 0
-        while done < count:
-            structure = structures[done % len(structures)]
-            path, where = logs.drawn_scene(rng, program, scratch, structure, known)
-            data = logs.run(program, scratch, path)
-            if data is None:
-                continue
+        for number in range(count):
+            structure = structures[number % len(structures)]
+            path, where, data = drawn_log(rng, program, scratch, structure, known, each)
             header, records, last = logs.parsed(data)
-            looks += 1
-            if each and looks < LOOKS and not 3 <= len(records) <= SHORT:
-                continue
-            if not records and rng.random() < 0.9:
-                continue
             verdict, message, checked = logs.check(modules, data, path)
             if verdict != "fine":
                 sys.exit(f"a log of {structure} ({where}) is refused: {message}\n{path.read_text()}")
@@ -254,8 +269,6 @@ def main():
             if logs.check(modules, again, path, {0})[0] != "fine":
                 sys.exit(f"a log of {structure} ({where}), sealed again, is refused")
             lines += len(records)
-            done += 1
-            looks = 0
             mutator = Mutator(rng, modules, header, records, last, followed_records(checked, records))
             for change in Mutator.CHANGES:
                 name = change.__name__
