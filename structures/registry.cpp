@@ -157,12 +157,13 @@ std::optional<Refusal> refusal_of(const StructureInfo& info, const Scene& scene)
   if (!info.any_dimension && scene.dimension > info.min_dimension) {
     return Refusal{"is for " + axes, "leave axes out, or maintain something else"};
   }
-  if (scene.degree() > info.largest_degree) {
+  const int degree = info.weights ? scene.degree() : scene.degree_without_weights();
+  if (degree > info.largest_degree) {
     return Refusal{"needs " +
                        (info.linear() ? std::string("linear motions")
                                       : "motions of degree " + std::to_string(info.largest_degree) +
                                             " or less") +
-                       ", the scene has motions of degree " + std::to_string(scene.degree()),
+                       ", the scene has motions of degree " + std::to_string(degree),
                    maintain_instead(info, ", which takes every motion")};
   }
   if (info.refuse != nullptr && scene.has_bodies() == info.bodies) return info.refuse(scene);

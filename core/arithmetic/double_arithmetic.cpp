@@ -46,14 +46,17 @@ class DoubleArithmetic final : public Arithmetic {
 
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until) override {
-    if (trajectory.degree() > degree_) widen(trajectory.degree());
+    const int degree = trajectory.degree_of_axes(0, dimension_);
+    if (degree > degree_) widen(degree);
     if (object >= coefficients_.size() / stride_) {
       coefficients_.resize((object + std::size_t{1}) * stride_, 0.0);
       if (!until_.empty()) until_.resize(object + std::size_t{1}, kInfinity);
     }
     double* out = &coefficients_[object * stride_];
     std::fill(out, out + stride_, 0.0);
-    for (std::size_t a = 0; a < trajectory.coordinates.size(); ++a) {
+    const std::size_t axes =
+        std::min(static_cast<std::size_t>(dimension_), trajectory.coordinates.size());
+    for (std::size_t a = 0; a < axes; ++a) {
       const auto& axis = trajectory.coordinates[a];
       for (std::size_t k = 0; k < axis.size() && k <= static_cast<std::size_t>(degree_); ++k) {
         out[a * static_cast<std::size_t>(degree_ + 1) + k] = axis[k].to_double();

@@ -63,7 +63,8 @@ class GslArithmetic final : public Arithmetic {
 
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until) override {
-    if (trajectory.degree() > degree_) widen(trajectory.degree());
+    const int degree = trajectory.degree_of_axes(0, static_cast<int>(axes_));
+    if (degree > degree_) widen(degree);
     if (object >= until_.size()) {
       until_.resize(object + std::size_t{1}, kInfinity);
       coefficients_.resize(until_.size() * stride(), 0.0);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "core/numbers/exactly.h"
 
@@ -41,8 +42,15 @@ Ball enclose_whole(const Integer& n, unsigned long halvings) {
   return {v, std::fabs(v) * 3 * Ball::kUnit + 0x1p-1070};
 }
 
-bool is_zero(const Trajectory& trajectory) {
-  for (const auto& axis : trajectory.coordinates) {
+// The axes of a motion that are kept.
+std::span<const std::vector<Rational>> kept(const Trajectory& trajectory,
+                                            const NumberModel& model) {
+  const std::size_t axes = static_cast<std::size_t>(model.axes);
+  return std::span(trajectory.coordinates).first(std::min(axes, trajectory.coordinates.size()));
+}
+
+bool is_zero(std::span<const std::vector<Rational>> axes) {
+  for (const auto& axis : axes) {
     for (const Rational& c : axis) {
       if (!c.is_zero()) return false;
     }
@@ -60,7 +68,7 @@ NumberModel choose_number_model(const Scene& scene, const NumberNeeds& needs) {
   const auto each = [&](auto&& visit) {
     for (const SceneObject& object : scene.objects) {
       for (const MotionPiece& piece : object.motion.pieces) {
-        for (const auto& axis : piece.trajectory.coordinates) {
+        for (const auto& axis : kept(piece.trajectory, model)) {
           for (std::size_t k = 0; k < axis.size(); ++k) {
             if (!visit(k, axis[k])) return false;
           }
@@ -286,21 +294,23 @@ std::optional<double> MotionStore::scaled_integer(const Rational& value) const {
 
 void MotionStore::set(ObjectId object, const Trajectory& trajectory, double anchor) {
   if (object >= objects_) grow(object + std::size_t{1});
-  if (trajectory.degree() > model_.degree) grow_degree(trajectory.degree());
+  const int degree = trajectory.degree_of_axes(0, model_.axes);
+  if (degree > model_.degree) grow_degree(degree);
   if (model_.anchored) {
-    anchors_[object] = trajectory.degree() == 0 ? std::numeric_limits<double>::infinity() : anchor;
-    if (trajectory.degree() > 0) {
+    anchors_[object] = degree == 0 ? std::numeric_limits<double>::infinity() : anchor;
+    if (degree > 0) {
       if (!first_anchor_) first_anchor_ = anchor;
       anchors_differ_ = anchors_differ_ || *first_anchor_ != anchor;
     }
   }
   const std::size_t powers = static_cast<std::size_t>(model_.degree) + 1;
+  const std::span<const std::vector<Rational>> axes = kept(trajectory, model_);
   bool narrow = model_.narrow;
   if (narrow) {
     double* out = &narrow_[object * stride_];
     std::fill(out, out + stride_, 0.0);
-    for (std::size_t a = 0; narrow && a < trajectory.coordinates.size(); ++a) {
-      const auto& axis = trajectory.coordinates[a];
+    for (std::size_t a = 0; narrow && a < axes.size(); ++a) {
+      const std::vector<Rational>& axis = axes[a];
       for (std::size_t k = 0; narrow && k < axis.size(); ++k) {
         if (axis[k].is_zero()) continue;
         const std::optional<double> scaled = scaled_integer(axis[k]);
@@ -312,27 +322,27 @@ void MotionStore::set(ObjectId object, const Trajectory& trajectory, double anch
   if (narrow_object_[object] == kWide) --wide_;
   narrow_object_[object] = narrow ? kNarrow : kWide;
   if (!narrow) ++wide_;
-  if (narrow || is_zero(trajectory)) {
+  if (narrow || is_zero(axes)) {
     if (is_big(object)) big_[object] = BigMotion{};
   } else {
-    set_big(object, trajectory);
+    set_big(object, axes);
   }
   if (!narrow) need_balls();
   if (balls_needed_) set_ball(object);
 }
 
 // Reuses the memory of the object's former motion.
-void MotionStore::set_big(ObjectId object, const Trajectory& trajectory) {
+void MotionStore::set_big(ObjectId object, std::span<const std::vector<Rational>> axes) {
   if (big_.size() < objects_) big_.resize(objects_);
   BigMotion& big = big_[object];
   big.coefficients.resize(stride_);
   big.whole = true;
-  for (const auto& axis : trajectory.coordinates) {
+  for (const auto& axis : axes) {
     for (const Rational& c : axis) big.whole = big.whole && c.is_integer();
   }
   big.denominator = Integer(1);
   if (!big.whole) {
-    for (const auto& axis : trajectory.coordinates) {
+    for (const auto& axis : axes) {
       for (const Rational& c : axis) big.denominator = lcm(big.denominator, c.denominator());
     }
   }
@@ -340,11 +350,11 @@ void MotionStore::set_big(ObjectId object, const Trajectory& trajectory) {
   for (std::size_t i = 0; i < stride_; ++i) {
     Integer& out = big.coefficients[i];
     const std::size_t a = i / powers, k = i % powers;
-    if (a >= trajectory.coordinates.size() || k >= trajectory.coordinates[a].size()) {
+    if (a >= axes.size() || k >= axes[a].size()) {
       mpz_set_ui(out.raw(), 0);
       continue;
     }
-    const Rational& c = trajectory.coordinates[a][k];
+    const Rational& c = axes[a][k];
     mpz_set(out.raw(), mpq_numref(c.raw()));
     if (big.whole) continue;
     Integer factor = big.denominator;

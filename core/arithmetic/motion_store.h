@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/arithmetic/number_needs.h"
@@ -33,7 +34,7 @@ class MotionStore {
  public:
   MotionStore(const NumberModel& model, std::size_t objects);
 
-  // The object may be a new one. `anchor`: a time near which the motion will be evaluated.
+  // The object may be a new one. Keeps the first axes, as many as the model has. `anchor`: a time near which the motion will be evaluated.
   void set(ObjectId object, const Trajectory& trajectory, double anchor = 0);
   // From the first call on, motions are also kept as doubles with error bounds (ball(), anchored()).
   void need_balls();
@@ -82,7 +83,7 @@ class MotionStore {
   std::optional<double> scaled_integer(const Rational& value) const;
   void grow(std::size_t objects);
   void grow_degree(int degree);
-  void set_big(ObjectId object, const Trajectory& trajectory);
+  void set_big(ObjectId object, std::span<const std::vector<Rational>> axes);
   void make_row(ObjectId object);
   void set_ball(ObjectId object);
   void set_anchored(ObjectId object);

@@ -35,14 +35,15 @@ class MpfrArithmetic final : public Arithmetic {
 
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until) override {
-    if (trajectory.degree() > degree_) widen(trajectory.degree());
+    const int degree = trajectory.degree_of_axes(0, static_cast<int>(dimension_));
+    if (degree > degree_) widen(degree);
     const std::size_t powers = static_cast<std::size_t>(degree_) + 1;
     if (object >= until_.size()) {
       until_.resize(object + std::size_t{1});
       coefficients_.resize(until_.size() * stride_, MpFloat(bits_));
     }
     for (std::size_t k = 0; k < stride_; ++k) coefficients_[object * stride_ + k] = MpFloat(bits_);
-    for (std::size_t a = 0; a < trajectory.coordinates.size(); ++a) {
+    for (std::size_t a = 0; a < std::min(dimension_, trajectory.coordinates.size()); ++a) {
       const auto& axis = trajectory.coordinates[a];
       for (std::size_t k = 0; k < axis.size() && k < powers; ++k) {
         coefficients_[object * stride_ + a * powers + k] = MpFloat(bits_, axis[k]);

@@ -20,12 +20,13 @@ void NumberNeeds::add_weights(const Scene& scene) {
   require(!scene.has_bodies(), "bodies have no weights");
   weights = true;
   axes = std::max(axes, scene.dimension + 1);
+  degree = std::max(degree, scene.degree());
 }
 
 NumberNeeds needs_of_objects(const Scene& scene) {
   NumberNeeds needs;
-  needs.axes = scene.axes();
-  needs.degree = scene.degree();
+  needs.axes = scene.axes_without_weights();
+  needs.degree = scene.degree_without_weights();
   return needs;
 }
 

@@ -2,7 +2,8 @@
 // NumberNeeds: the axes and degrees for which the numbers of a run must have room. The scene's
 // objects need their axes and the degree of their motions. Structures add the weights that they
 // read and the objects that they derive (structures/plan.h). An arithmetic is made for the union of
-// these needs and has no room for more.
+// these needs and has no room for more: it leaves out what a motion has on further axes, weights
+// that no structure reads.
 //
 // Predicates are not among the needs. What is kept for each object, and how wide its numbers are,
 // depends on axes and degrees alone. The size of a predicate's polynomial follows from these and
@@ -48,7 +49,7 @@ struct NumberNeeds {
 // No object has more axes.
 inline constexpr int kMostAxes = 32;
 
-// The needs of the scene's own objects. O(coefficients).
+// The needs of the scene's own objects, without the weights of points. O(coefficients).
 NumberNeeds needs_of_objects(const Scene& scene);
 
 }  // namespace kinex

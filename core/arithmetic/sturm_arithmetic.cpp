@@ -175,7 +175,8 @@ void SturmArithmetic::widen(int degree) {
 
 void SturmArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
                                  const std::optional<Rational>& until) {
-  if (trajectory.degree() > degree_) widen(trajectory.degree());
+  const int degree = trajectory.degree_of_axes(0, static_cast<int>(axes_));
+  if (degree > degree_) widen(degree);
   if (object >= until_.size()) {
     until_.resize(object + std::size_t{1});
     coefficients_.resize(until_.size() * stride());

@@ -27,7 +27,8 @@ Simulator::Simulator(const Scene& scene, std::unique_ptr<Arithmetic> arithmetic,
       kernel_(std::move(arithmetic), scene.objects.size(), options_.scheduling),
       alive_(scene.objects.size(), false),
       pieces_(scene.objects.size(), 0),
-      degree_(scene.degree()),
+      degree_(kernel_.arithmetic().needs().weights ? scene.degree()
+                                                   : scene.degree_without_weights()),
       reached_(scene.start) {
   kernel_.set_deadline(deadline_.get());
   for (const SceneObject& object : scene.objects) {

@@ -256,6 +256,7 @@ class Simulator final : private EventReporter {
   void note_peak();
   // simulator_changes.cpp
   void plan_changes();
+  int degree_read(const Trajectory& trajectory) const;
   void check_trajectory(const Trajectory& trajectory) const;
   void queue_change(Change change);
   const Rational* next_change() const {
@@ -289,7 +290,7 @@ class Simulator final : private EventReporter {
   std::size_t next_change_ = 0;
   std::vector<bool> alive_;
   std::vector<int> pieces_;
-  int degree_ = 0;
+  int degree_ = 0;  // of all motions, without weights that no structure reads
   bool dynamic_ = false;
   bool started_ = false;
   Rational reached_;

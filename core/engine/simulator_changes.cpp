@@ -11,16 +11,22 @@
 
 namespace kinex {
 
+// Of the axes that some structure reads.
+int Simulator::degree_read(const Trajectory& trajectory) const {
+  const bool weights = kernel_.arithmetic().needs().weights;
+  return trajectory.degree_of_axes(0, weights ? scene_.axes() : scene_.axes_without_weights());
+}
+
 void Simulator::check_trajectory(const Trajectory& trajectory) const {
   if (trajectory.dimension() != scene_.axes()) {
     throw std::invalid_argument("a motion in " + std::to_string(trajectory.dimension()) +
                                 " coordinates in a scene of " + std::to_string(scene_.axes()));
   }
+  const int degree = degree_read(trajectory);
   for (const Entry& entry : entries_) {
-    if (trajectory.degree() <= entry.structure->largest_motion_degree()) continue;
+    if (degree <= entry.structure->largest_motion_degree()) continue;
     throw std::invalid_argument(std::string(entry.structure->name()) +
-                                " cannot maintain a motion of degree " +
-                                std::to_string(trajectory.degree()));
+                                " cannot maintain a motion of degree " + std::to_string(degree));
   }
 }
 
@@ -76,7 +82,7 @@ void Simulator::queue_change(Change change) {
   if (change.t < reached_ || (scene_.end && *scene_.end < change.t)) {
     throw std::invalid_argument("no change can be made at " + time_text(change.t));
   }
-  if (change.trajectory != nullptr) degree_ = std::max(degree_, change.trajectory->degree());
+  if (change.trajectory != nullptr) degree_ = std::max(degree_, degree_read(*change.trajectory));
   // It replaces the scene's own plan for the object.
   const auto open = changes_.begin() + static_cast<std::ptrdiff_t>(next_change_);
   changes_.erase(std::remove_if(open, changes_.end(),

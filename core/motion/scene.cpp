@@ -11,6 +11,17 @@ int Scene::degree() const {
   return degree;
 }
 
+int Scene::degree_without_weights() const {
+  const int axes = axes_without_weights();
+  int degree = 0;
+  for (const SceneObject& object : objects) {
+    for (const MotionPiece& piece : object.motion.pieces) {
+      degree = std::max(degree, piece.trajectory.degree_of_axes(0, axes));
+    }
+  }
+  return degree;
+}
+
 bool Scene::has_lines() const {
   return std::any_of(objects.begin(), objects.end(),
                      [](const SceneObject& object) { return object.line; });

@@ -110,10 +110,13 @@ struct Scene {
 
   // Largest degree of any motion.
   int degree() const;
+  // The same but for the weights of points, which only some structures read.
+  int degree_without_weights() const;
   // True if the objects are rigid bodies; either all are or none.
   bool has_bodies() const { return !objects.empty() && !objects.front().polygon.empty(); }
   // Coordinates of a motion: kBodyAxes, or those of the position and of the extents.
   int axes() const { return has_bodies() ? kBodyAxes : dimension + extent_axes(); }
+  int axes_without_weights() const { return extents == Extents::kWeight ? dimension : axes(); }
   int extent_axes() const {
     if (extents == Extents::kNone) return 0;
     return extents == Extents::kHalfExtents ? dimension : 1;

@@ -5,8 +5,7 @@
 //   shared  one, two, three attributes of one scene: the sum of their single costs, and less where
 //           a structure is shared
 //   padded  a scene of degree 1 written with coefficients 0 up to degree 3 runs as fast as without
-//   unread  weights that no structure reads cost the memory of their axis, and time only where they are so much
-//           larger than the coordinates that the bounds on all numbers widen (here: delaunay_2)
+//   unread  weights that no structure reads cost no time, and no memory beside that of the scene
 // Workload: random motion. Rounds are interleaved; the best of each counts; thread CPU time.
 // Output: see result_table.h; options: see bench_options.h.
 #include <cstdint>

@@ -105,7 +105,8 @@ formats::InputError in_a_plan(const formats::InputError& error, const RunCell& c
   if (info == nullptr) return error;
   const lab::Workload& workload = *lab::find_workload(cell.workload);
   const Scene scene = lab::generate_scene(workload, cell.parameters);
-  if (!refusal_of(*info, scene) || scene.degree() > info->largest_degree) return error;
+  if (!refusal_of(*info, scene) || scene.degree_without_weights() > info->largest_degree)
+    return error;
   std::string problem = error.problem();
   const std::string_view here = ", the scene has";
   if (const std::size_t at = problem.find(here); at != std::string::npos) {

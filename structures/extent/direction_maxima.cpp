@@ -10,7 +10,7 @@ std::unique_ptr<DirectionMaxima> make_direction_maxima(Kernel& kernel, Structure
                                                        const Scene& scene,
                                                        const std::vector<DirectionVector>& half,
                                                        MaximaChoice choice) {
-  if (choice == MaximaChoice::kByDegree && scene.degree() <= 1) {
+  if (choice == MaximaChoice::kByDegree && scene.degree_without_weights() <= 1) {
     return std::make_unique<LineMaxima>(kernel, structure, scene, half);
   }
   return std::make_unique<TournamentMaxima>(kernel, structure, scene, half);

@@ -11,9 +11,9 @@ namespace kinex {
 LineMaxima::LineMaxima(Kernel& kernel, StructureId structure, const Scene& scene,
                        const std::vector<DirectionVector>& half)
     : DirectionMaxima(2 * half.size()), kernel_(&kernel), slots_(kernel, structure, "directions") {
-  if (scene.degree() > 1) {
+  if (scene.degree_without_weights() > 1) {
     throw std::invalid_argument("dual hulls need linear motions, not motions of degree " +
-                                std::to_string(scene.degree()));
+                                std::to_string(scene.degree_without_weights()));
   }
   each_direction(half, [&](const Key& key, Extremum extremum) {
     directions_.emplace_back(kernel, scene, key, extremum);

@@ -12,9 +12,9 @@ namespace kinex {
 namespace {
 
 const Key& linear(const Key& key, const Scene& scene) {
-  if (scene.degree() > 1) {
+  if (scene.degree_without_weights() > 1) {
     throw std::invalid_argument("a dual hull needs linear motions, not motions of degree " +
-                                std::to_string(scene.degree()));
+                                std::to_string(scene.degree_without_weights()));
   }
   if (key.kind == Key::Kind::kSquaredDistance) {
     throw std::invalid_argument("a dual hull needs a linear key, not a squared distance");

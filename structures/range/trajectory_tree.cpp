@@ -65,10 +65,10 @@ TrajectoryTree::TrajectoryTree(Kernel& kernel, StructureId, const Scene& scene)
     : kernel_(&kernel),
       points_{DualPoints(kernel, 0, scene.dimension), DualPoints(kernel, 1, scene.dimension)},
       orders_{kernel.bind(make_coordinate_order(0)), kernel.bind(make_coordinate_order(1))} {
-  if (scene.degree() > 1) {
+  if (scene.degree_without_weights() > 1) {
     throw std::invalid_argument(
         "a tree over trajectories needs linear motions, not motions of degree " +
-        std::to_string(scene.degree()));
+        std::to_string(scene.degree_without_weights()));
   }
 }
 
