@@ -85,8 +85,7 @@ std::string attribute_in_words(const StructureInfo& info) {
     case Attribute::Shape::kTuples:
       if (info.width == 1) return "a set of ids";
       if (info.width == StructureInfo::kWidthOfParameter) {
-        return "a set of tuples of ids, \"" + std::string(info.parameters.front().name) +
-               "\" of them each";
+        return "a set of tuples of \"" + std::string(info.parameters.front().name) + "\" ids";
       }
       return info.width == 2 ? "a set of pairs of ids"
                              : "a set of tuples of " + std::to_string(info.width) + " ids";

@@ -118,14 +118,15 @@ StructureFamily collision_family() {
        {kTileKinds[1], Effect::kNever, "an order of normals changes: two tiles are divided anew"},
        {kTileKinds[2], Effect::kNever, "the proof goes to another half-plane, or to a tile or back"}});
   tiles.certificates =
-      "at most 6 for a pair apart, the sides of its tile and two orders of normals; 5 for "
-      "a pair in contact";
+      "at most 6 for a pair apart, the sides of its tile and two orders of normals, 8 while it "
+      "slides along the sum; 5 for a pair in contact";
   add(tiles, "separation_mixed", "collisions of convex polygons, by the mixed hierarchy",
       make_mixed);
   StructureInfo unturned = tiles;
   unturned.refuse = refuse_turning;
   unturned.certificates =
-      "at most 3 for a pair apart, the sides of its tile; 5 for a pair in contact";
+      "at most 3 for a pair apart, the sides of its tile, 5 while it slides along the sum; 5 for a "
+      "pair in contact";
   unturned.instead = "separation_mixed";
   add(unturned, "separation_minkowski",
       "collisions of convex polygons that do not turn, by the hierarchy of their Minkowski sum",

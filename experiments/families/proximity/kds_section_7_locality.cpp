@@ -199,7 +199,8 @@ lab::PaperClaim range_trees(const lab::StudyResult& result) {
       "one "
       "point in ours, by octants and by four cones of 90 degrees, on a hub with a ring of others?",
       observed +
-          ". A node of a range tree offers a fixed number of pairs, whoever is next for others. "
+          ". A node of a range tree offers a fixed number of pairs, whichever points are next for "
+          "others. "
           "The certificates of the hub: " +
           growth,
       {"closest_pair_range_tree", "uniform-square"});
