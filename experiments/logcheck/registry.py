@@ -3,7 +3,7 @@
 formulas are known, its events are not followed."""
 
 from replay_boxes import RectangleAlong
-from replay_calipers import Area, Calipers, Perimeter, Width
+from replay_calipers import Area, Calipers, FarthestPairOfHull, Perimeter, Width
 from replay_circle import BoxOfHull, FarthestDelaunay, MinCircle
 from replay_delaunay import Delaunay
 from replay_discs import ClosestDiscs
@@ -22,8 +22,7 @@ from replay_octants import Cones, Octants
 from replay_pairs import BoxesThatMeet, DiscsThatMeet
 from replay_range import RangeTree, TrajectoryTree
 from replay_regular import RegularInSpace, RegularInThePlane
-from replay_scratch import (BoundingBox, ClosestPair, ClosestPairOfOrders, FarthestPair, FarthestPairOfHull, NearestSite,
-                            TwoColours)
+from replay_scratch import (BoundingBox, ClosestPair, ClosestPairOfOrders, FarthestPair, NearestSite, TwoColours)
 from replay_space import DelaunayInSpace
 from replay_trees import GraphTree, SpanningTree
 from replay_voronoi import VoronoiCell

@@ -247,13 +247,3 @@ class FarthestPair(ClosestPair):
     @staticmethod
     def claim(a, b):
         return distance_query(b, a)
-
-
-class FarthestPairOfHull(OnHull, FarthestPair):
-    """The events of calipers are checked as failures only."""
-
-    CALIPERS = ("antiparallel", "perpendicular", "split", "merge", "renew")
-
-    def event(self, r, x):
-        if r.kind not in self.CALIPERS:
-            super().event(r, x)

@@ -29,6 +29,7 @@ SCENES = {"line_arrangement_2": ["parallel_lines.json", "parallel_by_a_plan.json
           "mst_maximum_norm_cycles": ["turns_by_itself.json", "tie_in_a_repair.json", "new_cycle.json"],
           "regular_2": ["line_at_a_plan.json"],
           "convex_hull_2_delaunay": ["upright_side.json", "turn_by_a_plan.json"], "diameter_2": ["side_without_length.json"],  # and all that calipers maintain
+          "width_2": ["tie_without_a_failure.json"],
           "min_area_rectangle_directions": ["tie_beside_a_failure.json"], "min_area_rectangle_2": ["tie_above_a_failure.json"],
           "disc_pairs_grid": ["two_grids.json"]}
 # The same, run up to a time before its end: no object goes at that.
