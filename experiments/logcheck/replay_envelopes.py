@@ -4,12 +4,15 @@
 The claims of a node are a function of its state. After an instant, the nodes with a failure and those above
 whose children's chains have changed are merged from scratch. Claims of one node, in both halves, about the
 slopes of the same two lines count as one failure, since one repair serves them all. If there is one failure
-at an instant, it has exactly one record. If there are several, each has a record, with two exceptions: a
-repair of the same half, in the same node or below, with two points in common may have removed a failure; and
-with three or more failures a node may have been merged anew. There may also be records of claims that were
-made at the instant itself; with three or more failures also of corners that belong to no time: where many points are
-on one line for an instant, chains pass through orders of their corners that are none.
+at an instant, it has exactly one record; where two of its points meet, what its repair claims may fail, too. If
+there are several, each has a record, with two exceptions: a repair of the same half, in the same node or below, with
+two points in common may have removed a failure; and with three or more failures a node may have been merged anew.
+There may also be records of claims that were made at the instant itself; with three or more failures also of corners
+that belong to no time: where many points are on one line for an instant, chains pass through orders of their corners
+that are none.
 """
+
+from itertools import combinations
 
 from envelopes import Tied, Tree
 from log import Wrong
@@ -181,8 +184,8 @@ class Envelopes(Hull):
                             % r.short(), r.line)
             last = key
             del due[name]
-        if len(groups) <= 1:
-            for r in strange:
+        for r in strange if len(groups) <= 1 else ():
+            if not any(self.have_met(ids.intersection(r.ids), x) for _, ids in matched):
                 raise Wrong("%s: the certificate is not one that fails at this instant" % r.short(), r.line)
         for before, r in zip(records, records[1:]):
             if (r.kind, r.ids, self.query(r)) == (before.kind, before.ids, self.query(before)):
@@ -191,6 +194,11 @@ class Envelopes(Hull):
             if not strange and not any(self.takes_away(other, ids, name, claims) for other, ids in matched):
                 raise Wrong("%s: %s fails at %r, and no event says so" % (
                     self.label, self.inside.tell(claims[0][0]), x))
+
+    def have_met(self, points, x):
+        """Two of them are at one place: a claim that the repair of another one makes may fail at once."""
+        return any(all(self.world.vanishes((axis, pair), x) for axis in ("order_x", "order_y"))
+                   for pair in combinations(sorted(points), 2))
 
     def takes_away(self, other, ids, name, claims):
         same_half = "slopes" in (other[1], name[1]) or other[1] == name[1]

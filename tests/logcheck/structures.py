@@ -20,7 +20,8 @@ import logs
 # What the program or the checker once had wrong: a structure, a family, n and the seed; and scenes beside this file.
 ONCE_WRONG = [("line_arrangement_2", "grid", 8, 4), ("mst_maximum_norm_cycles", "grid", 5, 58),
               ("emst_clusters", "meet", 5, 60), ("convex_hull_2_brute_force", "grid", 5, 22),
-              ("convex_hull_2_delaunay", "meet", 8, 23), ("convex_hull_2", "collinear-instant", 8, 23)]
+              ("convex_hull_2_delaunay", "meet", 8, 23), ("convex_hull_2", "collinear-instant", 8, 23),
+              ("convex_hull_2", "grid", 5, 163576)]
 SCENES = {"line_arrangement_2": ["parallel_lines.json", "parallel_by_a_plan.json"], "sorted_list": ["plan_at_the_end.json"],
           "delaunay_2": ["passes_on_the_hull.json"], "trapezoids_2": ["parallel_walls.json", "points_beside_lines.json"],
           "octants_listed": ["level_below.json", "level_aslant.json", "level_neighbours.json", "level_by_a_plan.json"],
