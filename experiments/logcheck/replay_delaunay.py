@@ -228,7 +228,8 @@ class Delaunay(Replay):
         self.edges = (self.edges - gone) | came
 
     def settled(self, r, x):
-        self.require(r.kind == "rebuild" or self.loose or self.moved, "%s: nothing had to be settled", r.short())
+        disturbed = self.loose or self.moved or r.kind == "rebuild" and (self.many or self.proof.failing(x))
+        self.require(disturbed, "%s: nothing had to be settled", r.short())
         self.loose = True
         if r.gone is not None:
             self.difference(r)

@@ -61,6 +61,8 @@ class BoxesThatMeet(Scratch):
         due = [(self.KINDS[1], pair) for pair in sorted(set(self.told) - set(fresh))]
         due += [(self.KINDS[0], pair) for pair in sorted(set(fresh) - set(self.told))]
         self.require(self.events == due, "%s: at %r there are %s, not %s", self.label, x, self.events, due)
+        if due:
+            self.require_due(x)
         self.told, self.events = fresh, []
 
 

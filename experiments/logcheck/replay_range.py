@@ -43,6 +43,8 @@ class RangeTree(Orders):
         i = order.index(a)
         self.require(i + 1 < len(order) and order[i + 1] == b, "%s: the second does not follow the first", r.short())
         self.require(r.external and r.gone is None, "%s is external and says all by its ids", r.short())
+        self.require(self.world.vanishes(self.keys[r.kind == "swap_y"].claim(a, b), x), "%s: the two do not meet",
+                     r.short())
         order[i], order[i + 1] = b, a
 
     def settle(self, x):

@@ -36,6 +36,7 @@ class Scratch(OfMembers):
     def __init__(self, checker, structure):
         super().__init__(checker, structure)
         self.told, self.changed, self.look = [], 0, True
+        self.begun_at = None  # the last instant at which objects came, went or got new motions
         self.proofs = [Proof(self.world, self.label, checker.on[4])]  # without claims
         if self.partly:
             checker.note_partly(self.label, self.partly)
@@ -45,7 +46,11 @@ class Scratch(OfMembers):
         return list(self.told)
 
     def begin(self, x):
-        self.told, self.changed, self.look = self.current(x), 0, False
+        self.told, self.changed, self.look, self.begun_at = self.current(x), 0, False, x
+
+    def after_motion(self, objects, x):
+        super().after_motion(objects, x)
+        self.begun_at = x
 
     def record(self, r, x):
         self.look = True
@@ -63,7 +68,21 @@ class Scratch(OfMembers):
         if fresh != self.told:
             self.require(not self.changed, "%s: the attribute changes a second time at one instant", r.short())
             self.changed += 1
+            self.require_due(x)
         self.told = fresh
+
+    def require_due(self, x):
+        """The attribute changes at x, not before. Where motions change at x, those of before are not known any more."""
+        self.require(self.begun_at is x or self.told == self.right_before(x),
+                     "%s: right before %r the attribute was another one already", self.label, x)
+
+    def right_before(self, x):
+        """The attribute, by the motions that are in force right after x."""
+        self.world.looks_back = True
+        try:
+            return self.current(x)
+        finally:
+            self.world.looks_back = False
 
     def check(self, r, before, after):
         self.checker.check_change(self, r, before, after)

@@ -75,6 +75,7 @@ class SpanningTree(Scratch):
         self.check_difference(r, self.told, now)
         self.require(r.kind == "rebuild" or len(now) != len(self.told), "%s: every edge that is gone has a swap",
                      r.short())
+        self.require_due(x)
         self.told = now
 
     def settle(self, x):
@@ -86,6 +87,8 @@ class SpanningTree(Scratch):
         self.require(len(gone) == len(came) and self.swaps == list(zip(gone, came)),
                      "%s: right after %r the tree is another one: the swaps are %s; it loses %s and gains %s",
                      self.label, x, self.swaps, gone, came)
+        if gone:
+            self.require_due(x)
         self.told, self.swaps = now, []
 
 

@@ -18,6 +18,7 @@ class World:
         self.version = {number: 0 for number in scene.first}
         self.cache = {}
         self.lines = {}  # the numbers of the lines of grids, by name, of all structures
+        self.looks_back = False  # sign_after is sign_before: for an attribute right before an instant
         self.in_force = {}  # of queries under the motions in force: what changes() returns
 
     def set_motion(self, number, piece):
@@ -65,7 +66,7 @@ class World:
     def sign_after(self, query, x):
         """On (x, x + eps); 0 only where the value is zero identically."""
         changes, sign = self.changes(*query)
-        return sign * changes.after(x)
+        return sign * (changes.before(x) if self.looks_back else changes.after(x))
 
     def sign_before(self, query, x):
         """As sign_after, on (x - eps, x), by the motions that are in force right after x."""
