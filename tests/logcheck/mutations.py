@@ -4,7 +4,8 @@
 usage: mutations.py PROGRAM LOGCHECK_FOLDER LOGS [STRUCTURE,...|all [SEED]]
 
 Makes LOGS random runs, of all structures (or of these) in turn, from SEED (default: a fixed one), and applies every kind
-of change below to each log, at a random place where it is possible. LOGS may be "each": one short log of each structure.
+of change below to each log, at a random place where it is possible. LOGS may be "each": two short logs of each
+structure.
 Exit code 77: the program writes logs of version 1.
 Internal events that the checker reports as not followed (those of bodies, and of hulls with identical ties) are left
 alone. An accepted log that means the same as the original one (see equivalent) is counted apart, and so is one within a
@@ -40,6 +41,23 @@ def decimal(t):
     if leading < 0:
         return "%s0.%s%s" % (sign, "0" * (-leading - 1), digits)
     return (sign + digits[:leading + 1] + "." + digits[leading + 1:]).rstrip(".")
+
+
+def time_after(time):
+    """A rational instant right after this one."""
+    import roots
+
+    p = tuple(int(c) for c in time["polynomial"])
+    e = roots.cauchy_exponent(p)
+    x = roots.isolate_square_free(p, -(1 << e), 1 << e, 0)[time["root"] - 1]
+    if x.value is None:
+        x.refine(100)
+        t = Fraction(x.b, 1 << x.k)
+    else:
+        t = Fraction(*x.value) + Fraction(1, 1 << 100)
+    return {"polynomial": [str(-t.numerator), str(t.denominator)], "root": 1, "interval": [str(t), str(t)],
+            "decimal": decimal(t)}
+
 
 class Mutator:
     def __init__(self, rng, modules, header, records, last, followed):
@@ -157,6 +175,17 @@ class Mutator:
         records[i]["kind"] = self.rng.choice(own)
         return i
 
+    def a_little_later(self, records):
+        """With all that follow it at its instant."""
+        i = self.pick()
+        if i is None:
+            return None
+        later = time_after(records[i]["time"])
+        for r in records[i:]:
+            if same_instant(r, self.records[i]):
+                r["time"] = copy.deepcopy(later)
+        return i
+
     def difference(self, records):
         i = self.pick(lambda r: "gone" in r)
         if i is None:
@@ -176,10 +205,11 @@ class Mutator:
         return i
 
     CHANGES = [event_out, event_doubled, two_exchanged, two_exchanged_in_place, neighbouring_root, other_ids,
-               external_flag, coefficient, ids_exchanged, end_cut, kind, difference]
+               external_flag, coefficient, ids_exchanged, end_cut, kind, a_little_later, difference]
 
 
 # Not equivalent, but not refused either: README says so.
+SLOPES = {"sl", "sr", "st", "end"}  # kinds of a hull's claims about the slopes of two lines
 LIMIT_HULL = "a limit: internal events of a hull at an instant that has several"
 LIMIT_DELAUNAY = ("a limit: internal events, and the order of flips, at an instant with a blocked, reinsert, settled or "
                   "rebuild")
@@ -205,13 +235,16 @@ def equivalent(change, before, after, i, kinds):
     if "yt" in kinds and not before[i]["external"] and change in ("event_out", "kind", "ids_exchanged", "other_ids"):
         if len([r for r in at if not r["external"]]) > 1:
             return LIMIT_HULL
+    if "yt" in kinds and change == "kind" and {before[i]["kind"], after[i]["kind"]} <= SLOPES:
+        return "two claims of a node about the same two lines, of which one record tells"
     if "yt" in kinds and change == "end_cut" and after:
         if all(not r["external"] and same_instant(r, after[-1]) for r in before[len(after):]):
             return LIMIT_HULL
     if "blocked" in kinds and any(r["kind"] in ("blocked", "reinsert", "settled", "rebuild") for r in at):
         if before[i]["kind"] in ("blocked", "reinsert") or change.startswith("two_exchanged"):
             return LIMIT_DELAUNAY
-        if not before[i]["external"] and change in ("other_ids", "ids_exchanged", "event_out", "event_doubled"):
+        if not before[i]["external"] and change in ("other_ids", "ids_exchanged", "event_out", "event_doubled",
+                                                      "kind"):
             return LIMIT_DELAUNAY
     return None
 
@@ -255,7 +288,7 @@ def main():
     known = logs.Structures(program)
     structures = sys.argv[4].split(",") if len(sys.argv) > 4 and sys.argv[4] != "all" else known.all
     each = sys.argv[3] == "each"
-    count = len(structures) if each else int(sys.argv[3])
+    count = 2 * len(structures) if each else int(sys.argv[3])
     lines = 0
     with tempfile.TemporaryDirectory() as scratch:
         for number in range(count):
