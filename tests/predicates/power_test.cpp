@@ -52,7 +52,9 @@ Scene scene_of(std::uint64_t seed, Numbers numbers, int degree, int weight_degre
 }
 
 std::unique_ptr<Arithmetic> arithmetic_of(const char* name, const Scene& scene) {
-  auto arithmetic = make_arithmetic(name, scene);
+  NumberNeeds needs = needs_of_objects(scene);
+  if (scene.extents == Extents::kWeight) needs.add_weights(scene);
+  auto arithmetic = make_arithmetic(name, scene, needs);
   for (ObjectId i = 0; i < kPoints; ++i) {
     arithmetic->set_motion(i, scene.objects[i].motion.pieces[0].trajectory, {});
   }

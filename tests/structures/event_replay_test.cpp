@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "structures/plan.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
@@ -26,7 +27,7 @@ struct Replay {
   Replay(const Scene& given, const std::vector<std::string>& structures,
          const std::string& arithmetic = "exact", std::uint64_t rebuild_seed = 0)
       : scene(asking(given, structures)),
-        simulator(scene, make_arithmetic(arithmetic, scene), options()),
+        simulator(scene, planned_arithmetic(arithmetic, scene), options()),
         replay(simulator) {
     if (rebuild_seed != 0) replay.rebuild_at_random(rebuild_seed, 4);
     replay.add_structures(scene);

@@ -196,7 +196,7 @@ class ExternalSink final : public EventSink {
 std::uint64_t expect_external_as_logged(Scene scene, const std::string& structure,
                                         const std::string& arithmetic) {
   scene.maintain = {{structure, structure, {}}};
-  Simulator simulator(scene, make_arithmetic(arithmetic, scene), {});
+  Simulator simulator(scene, planned_arithmetic(arithmetic, scene), {});
   add_structures(simulator, scene);
   ExternalSink sink;
   sink.counts.resize(simulator.structures());

@@ -38,6 +38,7 @@ inline std::unique_ptr<Arithmetic> arithmetic_for(std::string_view structure,
                                                   std::string_view arithmetic, const Scene& scene) {
   NumberNeeds needs = needs_of_objects(scene);
   const StructureInfo* info = find_structure_info(structure);
+  if (info != nullptr && info->weights) needs.add_weights(scene);
   if (info != nullptr && info->derives != nullptr) info->derives(scene, needs);
   return make_arithmetic(arithmetic, scene, needs);
 }

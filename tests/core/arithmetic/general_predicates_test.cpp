@@ -146,7 +146,9 @@ std::vector<int> in_order(int n) {
 }
 
 std::unique_ptr<Arithmetic> arithmetic_of(const char* name, const Scene& scene) {
-  auto arithmetic = make_arithmetic(name, scene);
+  NumberNeeds needs = needs_of_objects(scene);
+  if (scene.extents == Extents::kWeight) needs.add_weights(scene);
+  auto arithmetic = make_arithmetic(name, scene, needs);
   for (ObjectId i = 0; i < scene.objects.size(); ++i) {
     arithmetic->set_motion(i, scene.objects[i].motion.pieces[0].trajectory, {});
   }
