@@ -47,7 +47,7 @@ struct FamilyExperiments {
   bool (*bounds_events)(std::string_view structure) = nullptr;
   // The hard bound on all events of a structure has the id STRUCTURE.events, or ends in one of these.
   std::vector<std::string_view> event_bounds = {};
-  // Structures whose audits after every event are long: scenes of common cells have half the objects.
+  // Structures whose audits after every event are long: scenes of common cells have fewer objects.
   std::vector<std::string_view> long_audits = {};
   // Hard bounds and audits of any structure, also of other families, on scenes of this family.
   void (*add_common_cells)(Catalogue& catalogue, const StructureInfo& structure,

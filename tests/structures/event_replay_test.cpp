@@ -139,7 +139,7 @@ void replay_lattices(const std::string& structure, std::uint64_t seeds) {
 
 TEST_P(EveryPointStructure, TellsEveryChangeOnALattice) { replay_lattices(GetParam(), 60); }
 
-TEST_P(EveryPointStructure, SlowTellsEveryChangeOnALattice) { replay_lattices(GetParam(), 1000); }
+TEST_P(EveryPointStructure, SlowTellsEveryChangeOnALattice) { replay_lattices(GetParam(), 500); }
 
 TEST_P(EveryPointStructure, TellsEveryChangeOfRandomFlights) {
   for (std::uint64_t seed = 1; seed <= test::fewer(24u); ++seed) {

@@ -93,9 +93,9 @@ void on_larger_lattices(std::uint64_t seeds) {
 
 TEST(Incidences, LargerLattices) { on_larger_lattices(60); }
 
-TEST(SlowIncidences, LargerLattices) { on_larger_lattices(500); }
+TEST(SlowIncidences, LargerLattices) { on_larger_lattices(200); }
 
-TEST(SlowIncidences, TinyLattices) { on_lattices(3000); }
+TEST(SlowIncidences, TinyLattices) { on_lattices(1200); }
 
 // Lines and points come, go and change their motions; exact and sturm agree line by line.
 TEST(Incidences, RandomFlights) {

@@ -218,7 +218,7 @@ void on_lattices(std::uint64_t seeds) {
 
 TEST(LineArrangement, TinyLattices) { on_lattices(200); }
 
-TEST(SlowLineArrangement, TinyLattices) { on_lattices(3000); }
+TEST(SlowLineArrangement, TinyLattices) { on_lattices(1500); }
 
 // Lines come, go and change their motions; exact and sturm agree line by line.
 TEST(LineArrangement, RandomFlights) {

@@ -124,7 +124,7 @@ void on_lattices(std::uint64_t seeds) {
 
 TEST(PointsInArrangement, TinyLattices) { on_lattices(200); }
 
-TEST(SlowPointsInArrangement, TinyLattices) { on_lattices(3000); }
+TEST(SlowPointsInArrangement, TinyLattices) { on_lattices(1500); }
 
 // Lines and points come, go and change their motions; exact and sturm agree line by line.
 TEST(PointsInArrangement, RandomFlights) {

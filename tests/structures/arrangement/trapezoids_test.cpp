@@ -233,7 +233,7 @@ void on_lattices(std::uint64_t seeds) {
 
 TEST(Trapezoids, TinyLattices) { on_lattices(200); }
 
-TEST(SlowTrapezoids, TinyLattices) { on_lattices(1500); }
+TEST(SlowTrapezoids, TinyLattices) { on_lattices(600); }
 
 // Lines come, go and change their motions; exact and sturm agree line by line.
 TEST(Trapezoids, RandomFlights) {

@@ -36,7 +36,7 @@ void run_lattices(const std::string& structure, std::uint64_t first, std::uint64
 // own (owns()): Calipers.ReferenceScenes, ExtentDirections.RandomLattices. An enter that does not settle ties
 // was not found.
 TEST_P(EveryCaliperStructure, Lattices) { run_lattices(GetParam(), 1, 48); }
-TEST_P(EveryCaliperStructure, SlowLattices) { run_lattices(GetParam(), 49, 600); }
+TEST_P(EveryCaliperStructure, SlowLattices) { run_lattices(GetParam(), 49, 300); }
 
 TEST_P(EveryCaliperStructure, LatticesOfHigherDegree) {
   std::uint64_t external = 0;

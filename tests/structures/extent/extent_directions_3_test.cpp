@@ -55,7 +55,7 @@ TEST(ExtentDirections3, RandomLattices) {
 }
 
 TEST(SlowExtentDirections3, RandomLattices) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(seed);
     const DirectionsRun run(lattice_in_space(seed, 1 + static_cast<int>(seed % 2)),
                             "diameter_directions", 2 + static_cast<int>(seed % 5));

@@ -246,7 +246,7 @@ void expect_values_of_each_alone(std::uint64_t first, std::uint64_t last) {
 }
 
 TEST(SharedCalipers, TheSameValuesAsAlone) { expect_values_of_each_alone(1, 12); }
-TEST(SlowSharedCalipers, TheSameValuesAsAlone) { expect_values_of_each_alone(13, 320); }
+TEST(SlowSharedCalipers, TheSameValuesAsAlone) { expect_values_of_each_alone(13, 170); }
 
 TEST(SharedCalipers, EndsInInexactArithmetics) {
   for (const char* arithmetic : {"double", "mpfr:4", "mpfr:53"}) {

@@ -132,7 +132,7 @@ void on_lattices(std::uint64_t seeds) {
 
 TEST(ClosestPairDiscs, TinyLattices) { on_lattices(kSanitized ? 120 : 300); }
 
-TEST(SlowClosestPairDiscs, TinyLattices) { on_lattices(1500); }
+TEST(SlowClosestPairDiscs, TinyLattices) { on_lattices(600); }
 
 TEST(SlowClosestPairDiscs, FiveToNineBalls) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {

@@ -103,7 +103,7 @@ void on_lattices(std::uint64_t seeds) {
 
 TEST(Meetings, TinyLattices) { on_lattices(150); }
 
-TEST(SlowMeetings, TinyLattices) { on_lattices(2500); }
+TEST(SlowMeetings, TinyLattices) { on_lattices(1200); }
 
 // Objects come, go and change their motions; exact and sturm agree line by line.
 TEST(Meetings, RandomFlights) {

@@ -105,8 +105,8 @@ TEST(PolygonTree, TinyLattices) {
 }
 
 TEST(SlowPolygonTree, TinyLattices) {
-  on_lattices(300, 12);
-  on_lattices(150, 20);
+  on_lattices(200, 12);
+  on_lattices(50, 20);
 }
 
 TEST(PolygonTree, RandomFlights) {

@@ -115,7 +115,7 @@ TEST(ShortCycles, APairThatHasLeftIsLevelForAnInstant) {
   EXPECT_EQ(run.cycles().rebuilds, 0u);
 }
 
-TEST(SlowShortCycles, TinyLattices) { on_lattices(1500); }
+TEST(SlowShortCycles, TinyLattices) { on_lattices(600); }
 
 // Points come, go, jump and change their motions.
 TEST(ShortCycles, PointsComeAndGo) {

@@ -58,8 +58,8 @@ void tiny_lattices(std::uint64_t first, std::uint64_t last, bool moving) {
 }
 TEST(Regular2, TinyLattices) { tiny_lattices(0, 60, false); }
 TEST(Regular2, TinyLatticesOfMovingWeights) { tiny_lattices(0, 40, true); }
-TEST(SlowRegular2, TinyLattices) { tiny_lattices(60, 1000, false); }
-TEST(SlowRegular2, TinyLatticesOfMovingWeights) { tiny_lattices(40, 1000, true); }
+TEST(SlowRegular2, TinyLattices) { tiny_lattices(60, 500, false); }
+TEST(SlowRegular2, TinyLatticesOfMovingWeights) { tiny_lattices(40, 500, true); }
 
 // P4: light points pass under a strip of heavy ones, and show next to its circumcentres.
 TEST(Regular2, ShowAndHide) {

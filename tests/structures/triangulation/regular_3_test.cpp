@@ -66,8 +66,8 @@ void tiny_lattices(std::uint64_t first, std::uint64_t last, bool moving) {
 }
 TEST(Regular3, TinyLattices) { tiny_lattices(0, 20, false); }
 TEST(Regular3, TinyLatticesOfMovingWeights) { tiny_lattices(0, 20, true); }
-TEST(SlowRegular3, TinyLattices) { tiny_lattices(20, 400, false); }
-TEST(SlowRegular3, TinyLatticesOfMovingWeights) { tiny_lattices(20, 400, true); }
+TEST(SlowRegular3, TinyLattices) { tiny_lattices(20, 220, false); }
+TEST(SlowRegular3, TinyLatticesOfMovingWeights) { tiny_lattices(20, 220, true); }
 
 // P5: the weight of a point in a cell crosses the value at which it shows k times.
 TEST(Regular3, Breathing) {
@@ -264,7 +264,7 @@ void cones(std::uint64_t first, std::uint64_t last) {
   }
 }
 TEST(Regular3, ConesOverThePlane) { cones(70, 100); }
-TEST(SlowRegular3, ConesOverThePlane) { cones(100, 500); }
+TEST(SlowRegular3, ConesOverThePlane) { cones(100, 300); }
 
 TEST(Regular3, EqualPointsFewPointsAndOnePlane) {
   Scene scene = weighted_reference(6, 1, true, 3);

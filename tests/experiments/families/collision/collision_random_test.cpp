@@ -322,31 +322,31 @@ TEST(CollisionRuns, AimedAtVertices) {
   check_drawn(draw_aimed_scene, 1, kSanitized ? 16 : 40, 2, 2);
 }
 TEST(SlowCollisionRuns, AimedAtVertices) {
-  check_drawn(draw_aimed_scene, 5000, kSanitized ? 50 : 600, 100, 50);
+  check_drawn(draw_aimed_scene, 5000, kSanitized ? 50 : 300, 50, 25);
 }
 TEST(CollisionRuns, SettledBeforeTheTouch) {
   check_drawn(draw_settled_scene, 1, kSanitized ? 30 : 150, 5, 5);
 }
 TEST(SlowCollisionRuns, SettledBeforeTheTouch) {
-  check_drawn(draw_settled_scene, 5000, kSanitized ? 100 : 1500, 100, 100);
+  check_drawn(draw_settled_scene, 5000, kSanitized ? 100 : 600, 40, 40);
 }
 TEST(CollisionRuns, TurnAboutAVertex) {
   check_drawn(draw_pivot_scene, 1, kSanitized ? 75 : 150, 5, 5);
 }
 TEST(SlowCollisionRuns, TurnAboutAVertex) {
-  check_drawn(draw_pivot_scene, 5000, kSanitized ? 100 : 1500, 100, 100);
+  check_drawn(draw_pivot_scene, 5000, kSanitized ? 100 : 600, 40, 40);
 }
 TEST(CollisionRuns, SidesThatTurnBackAtATouch) {
   check_drawn(draw_parallel_scene, 1, kSanitized ? 25 : 60, 1, 10);
 }
 TEST(SlowCollisionRuns, SidesThatTurnBackAtATouch) {
-  check_drawn(draw_parallel_scene, 5000, kSanitized ? 50 : 400, 15, 100);
+  check_drawn(draw_parallel_scene, 5000, kSanitized ? 50 : 200, 7, 50);
 }
 TEST(CollisionRuns, LinesAndParabolasOfTheGrid) {
   check_drawn(draw_grid_scene, 90, kSanitized ? 8 : 40, 1, 0);
 }
 TEST(SlowCollisionRuns, LinesAndParabolasOfTheGrid) {
-  check_drawn(draw_grid_scene, 1000, kSanitized ? 100 : 1500, 10, 5);
+  check_drawn(draw_grid_scene, 1000, kSanitized ? 100 : 600, 4, 2);
 }
 TEST(CollisionRuns, SmallPolygonsThatTurn) { check_many(1, kSanitized ? 4 : 25, 8, true, 1); }
 TEST(CollisionRuns, SmallPolygonsThatDoNotTurn) {
