@@ -37,7 +37,9 @@ configure_file(${PROJECT_SOURCE_DIR}/experiments/logcheck/kinex-logcheck.in
 install(PROGRAMS ${PROJECT_BINARY_DIR}/kinex-logcheck DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
-include(${CMAKE_CURRENT_LIST_DIR}/manual.cmake)
+if(NOT KINEX_SANITIZE)  # where the program takes long, and nothing is installed
+  include(${CMAKE_CURRENT_LIST_DIR}/manual.cmake)
+endif()
 install(EXPORT kinexTargets NAMESPACE kinex:: DESTINATION ${KINEX_CMAKE_DIR} COMPONENT development)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/kinexConfig.cmake.in
   ${PROJECT_BINARY_DIR}/kinexConfig.cmake INSTALL_DESTINATION ${KINEX_CMAKE_DIR})

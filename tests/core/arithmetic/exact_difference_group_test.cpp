@@ -15,6 +15,7 @@
 
 #include "core/arithmetic/exact_arithmetic.h"
 #include "tests/core/arithmetic/difference_fixture.h"
+#include "tests/sanitized.h"
 
 namespace kinex {
 namespace exact_difference_group_test {
@@ -153,7 +154,7 @@ class ExactDifferenceGroup : public ::testing::TestWithParam<int> {};
 TEST_P(ExactDifferenceGroup, IsOneByOne) {
   std::mt19937_64 random(static_cast<std::uint64_t>(GetParam()));
   Seen seen;
-  for (int round = 0; round < 700; ++round) {
+  for (int round = 0; round < test::fewer(700); ++round) {
     const auto numbers = static_cast<Numbers>(round % kNumbers);
     const Scene scene = draw_scene(random, numbers, GetParam());
     const std::uint64_t seed = random();
@@ -164,15 +165,15 @@ TEST_P(ExactDifferenceGroup, IsOneByOne) {
     }
   }
   for (const Outlook outlook : {Outlook::kNever, Outlook::kFails, Outlook::kFailsNow, Outlook::kIdenticallyZero}) {
-    EXPECT_GT(seen.outlooks[static_cast<std::size_t>(outlook)], 200);
+    EXPECT_GT(seen.outlooks[static_cast<std::size_t>(outlook)], test::seen_in_fewer(200));
   }
   // Failure times of degree 1 take no windows.
   if (GetParam() > 1) {
-    EXPECT_GT(seen.outlooks[static_cast<std::size_t>(Outlook::kLater)], 200);
+    EXPECT_GT(seen.outlooks[static_cast<std::size_t>(Outlook::kLater)], test::seen_in_fewer(200));
   }
-  EXPECT_GT(seen.answered, 3000);
-  EXPECT_GT(seen.not_answered, 1000);
-  EXPECT_GT(seen.exchanges, 100);
+  EXPECT_GT(seen.answered, test::seen_in_fewer(3000));
+  EXPECT_GT(seen.not_answered, test::seen_in_fewer(1000));
+  EXPECT_GT(seen.exchanges, test::seen_in_fewer(100));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ExactDifferenceGroup, ::testing::Values(1, 2, 3),

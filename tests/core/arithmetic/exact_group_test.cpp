@@ -14,6 +14,7 @@
 
 #include "core/arithmetic/exact_arithmetic.h"
 #include "tests/core/arithmetic/certificate_fixture.h"
+#include "tests/sanitized.h"
 
 namespace kinex {
 namespace exact_group_test {
@@ -127,7 +128,7 @@ void compare_group(Run& alone, Run& together, const std::vector<Query>& group, d
 
 void run_scenes(Numbers numbers, int degree, std::array<int, 5>& outlooks) {
   std::mt19937_64 random(static_cast<std::uint64_t>(degree) + 10 * static_cast<std::uint64_t>(numbers));
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < test::fewer(12); ++round) {
     const Scene scene = draw_scene(random, numbers, degree, 9, round % 3 == 2);
     for (const Vectors vectors : all_vectors()) {
       Run alone(scene), together(scene);
@@ -177,7 +178,7 @@ TEST(ExactGroups, AreTheSameAsOneByOne) {
     }
   }
   // All outlooks have occurred.
-  for (const int count : outlooks) EXPECT_GT(count, 20);
+  for (const int count : outlooks) EXPECT_GT(count, test::seen_in_fewer(20));
 }
 
 TEST(ExactGroups, PolynomialsAreThoseOfOneQuery) {
