@@ -47,9 +47,9 @@ def provenance(kinex, folder):
 
 
 def without_rates_of_nothing(rows):
-    """The rows of a table, with "-" for the events per change where there are no changes."""
+    """The rows of a table, with "-" for the failures per change where there are no changes."""
     names = rows[0].split(" | ")
-    rate, changes = names.index("events per change"), names.index("changes")
+    rate, changes = names.index("failures per change"), names.index("changes")
     result = []
     for row in rows:
         cells = row.split(" | ")
@@ -59,7 +59,7 @@ def without_rates_of_nothing(rows):
     return result
 
 
-LEAST = ("certificates", "of one object", "events per change", "milliseconds")
+LEAST = ("certificates", "of one object", "failures per change", "milliseconds")
 
 
 def least_of_each(rows):

@@ -17,9 +17,10 @@
 //
 // Quality, for n discs: at most 9n - 20 certificates of its own in the plane, and for balls that are all
 // in one plane of space; at most 3 C(n,2) - 2 otherwise in space, and where all discs are on one line,
-// since the triangulation then names all pairs. Not local; a flip or a failure renews O(log n). What changes more than one edge (a disc that shows or hides, a new flight
-// plan, discs that come or go, a degenerate instant) reads all edges, and renews O(log n) certificates
-// for each changed one. Failures that change the case of a duel alone change no winner.
+// since the triangulation then names all pairs. Not local; a flip or a failure renews O(log n). What
+// changes more than one edge (a disc that shows or hides, a new flight plan, discs that come or go, a
+// degenerate instant) reads all edges, and renews O(log n) certificates for each changed one. Failures
+// that change the case of a duel alone change no winner.
 //
 // Ties. Of pairs whose gaps are identically equal the lexicographically smallest one. Discs are closed:
 // two that touch identically meet; those that touch at an instant do not.

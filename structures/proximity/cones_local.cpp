@@ -133,14 +133,45 @@ void ConesLocal::rebuild() {
   make_woods();
 }
 
+// All that failed at this instant is repaired: the woods are those right after now.
 void ConesLocal::insert(ObjectId object) {
   members_.insert(std::lower_bound(members_.begin(), members_.end(), object), object);
-  make_woods();
+  for (std::size_t i = 0; i < woods().size(); ++i) woods().wood(i).insert(object, members_);
+  certify_changed(false);
+  begin();
 }
 
 void ConesLocal::erase(ObjectId object) {
   members_.erase(std::lower_bound(members_.begin(), members_.end(), object));
-  make_woods();
+  for (std::size_t i = 0; i < woods().size(); ++i) {
+    if (!woods().wood(i).erase(object)) stale_[i] = true;
+  }
+  make_stale_woods();
+  begin();
+}
+
+// A claim may be by another key now. One that does not hold right after now fails next, but for two points
+// that have become identically equal: nothing tells of their order.
+void ConesLocal::motions_changed(std::span<const ObjectId> objects) {
+  for (const ObjectId object : objects) {
+    for (const CertificateId certificate : kernel().certificates_of(object)) {
+      if (!slots_.owns(certificate)) continue;
+      const Claim c = claim(kernel().tag(certificate));
+      changed_.emplace_back(c.cone, c.point);
+    }
+  }
+  const std::vector<std::pair<std::size_t, ObjectId>> moved = changed_;
+  certify_changed(false);
+  for (const auto& [cone, p] : moved) {
+    for (std::size_t which = 0; which < kClaims; ++which) {
+      const Claim c{cone, p, which};
+      if (!slots_.is_tie(slot_of(c))) continue;
+      const auto [order, before, after] = compared(c);
+      if (order->goes_first(before, after)) continue;
+      stale_[cone / SchnyderWood::kColours] = true;
+      kernel().settle_later(id());
+    }
+  }
 }
 
 // What the repair of a failure of two points of a wood reads, where there are many points.

@@ -22,10 +22,14 @@
 // before to just after, and a pointer follows the lower envelope of n - 1 segments. Failures that share
 // an instant may change fewer pointers; they are not counted in that bound.
 // Several failures of a wood at an instant are repaired one after the other while no two of them share a
-// point, and those in one order are at different places of it. Otherwise, and with new flight plans,
-// insertions and erasures, a wood is made from sorted points when the instant is settled: O(n log n)
-// signs, and the certificates of the pointers that have changed. The bound `remade` counts these woods,
-// but for insertions and erasures.
+// point, and those in one order are at different places of it. Otherwise a wood is made from sorted points
+// when the instant is settled: O(n log n) signs, and the certificates of the pointers that have changed. The
+// bound `remade` counts these woods.
+// New flight plans change what certificates claim, and no pointer: a wood proves itself (schnyder_wood.h). A
+// claim that does not hold right after now fails at once, like all others. Only where two points become
+// identically equal in the wrong order of their ids is a wood made anew. A point that comes is compared with
+// all others, O(n) signs a wood; one that goes, of d neighbours, with these, O(d^2) signs, or for many
+// neighbours leaves the wood to be made anew.
 // Why one after the other: the swap of p and q compares no points but with p or q, and of other points
 // changes only pointers to q. So it neither reads what another such swap changes nor changes its pointer;
 // and in one order points that are not level are moved independently.
@@ -69,9 +73,7 @@ class ConesLocal final : public ConeNeighbours {
   void certificate_failed(CertificateId failed) override;
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
-  void motions_changed(std::span<const ObjectId>) override {
-    stale_.assign(stale_.size(), true);
-  }
+  void motions_changed(std::span<const ObjectId> objects) override;
   void instant_settled() override;
   void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;

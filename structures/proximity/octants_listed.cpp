@@ -23,15 +23,22 @@ OctantsListed::OctantsListed(Kernel& kernel, StructureId id, const Scene& scene)
 
 // ---- the woods
 
+void OctantsListed::number_places() {
+  for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
+    std::uint32_t place = 0;
+    for (const ObjectId object : lists_[axis].items()) places_[axis][object] = place++;
+  }
+}
+
+// Those that wait.
 void OctantsListed::make_woods() {
   ConeWoods::Lists points(kOctantAxes);
-  for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
-    points[axis] = lists_[axis].items();
-    for (std::uint32_t i = 0; i < points[axis].size(); ++i) places_[axis][points[axis][i]] = i;
+  for (std::size_t i = 0; i < woods().size(); ++i) {
+    if (!waits_[i]) continue;
+    for (std::size_t axis = 0; axis < kOctantAxes; ++axis) points[axis] = lists_[axis].items();
+    woods().make(i, points);
+    waits_[i] = false;
   }
-  woods().make(points);
-  waits_.fill(false);
-  begin();
 }
 
 // Two neighbours of a list have changed places.
@@ -53,7 +60,10 @@ void OctantsListed::exchange(OctantAxis axis, ObjectId before, ObjectId after) {
 
 void OctantsListed::build(std::span<const ObjectId> objects) {
   for (List& list : lists_) list.build({objects.begin(), objects.end()}, [](Item, Item) {});
+  number_places();
+  waits_.fill(true);
   make_woods();
+  begin();
 }
 
 void OctantsListed::rebuild() {
@@ -61,14 +71,21 @@ void OctantsListed::rebuild() {
   build(objects);
 }
 
+// All that failed at this instant is repaired: no wood waits.
 void OctantsListed::insert(ObjectId object) {
   for (List& list : lists_) list.insert(object, [](Item, Item) {});
-  make_woods();
+  number_places();
+  const std::vector<ObjectId> points = lists_[kAlongX].items();
+  for (std::size_t i = 0; i < woods().size(); ++i) woods().wood(i).insert(object, points);
+  begin();
 }
 
 void OctantsListed::erase(ObjectId object) {
   for (List& list : lists_) list.erase(object, [](Item, Item) {});
+  number_places();
+  for (std::size_t i = 0; i < woods().size(); ++i) waits_[i] = !woods().wood(i).erase(object);
   make_woods();
+  begin();
 }
 
 void OctantsListed::certificate_failed(CertificateId failed) {
@@ -92,14 +109,8 @@ void OctantsListed::motions_changed(std::span<const ObjectId> objects) {
 }
 
 void OctantsListed::instant_settled() {
-  ConeWoods::Lists points(kOctantAxes);
-  for (std::size_t i = 0; i < woods().size(); ++i) {
-    if (!waits_[i]) continue;
-    for (std::size_t axis = 0; axis < kOctantAxes; ++axis) points[axis] = lists_[axis].items();
-    woods().make(i, points);
-    waits_[i] = false;
-    ++remade_;
-  }
+  remade_ += static_cast<std::uint64_t>(std::count(waits_.begin(), waits_.end(), true));
+  make_woods();
 }
 
 // ---- checks

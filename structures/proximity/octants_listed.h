@@ -12,8 +12,9 @@
 // change nothing: octants_local has no order of points that are far from each other.
 // Two points that pass through each other change places in several lists at one instant, in steps
 // of which some leave the two ordered as no two points in the plane can be. Then the wood waits, and
-// is made from the lists when the instant is settled, in O(n log n) without a certificate. An
-// insertion or erasure makes both woods so.
+// is made from the lists when the instant is settled, in O(n log n) without a certificate. A point that
+// comes or goes changes the pointers that it has to (schnyder_wood.h), in O(n) steps; one of many
+// neighbours that goes leaves the woods to be made so.
 //
 // Ties. See cone_neighbours.h, which has the attribute and the events, too.
 //
@@ -66,6 +67,7 @@ class OctantsListed final : public ConeNeighbours {
   std::size_t bytes() const override;
 
  private:
+  void number_places();
   void make_woods();
   void exchange(OctantAxis axis, ObjectId before, ObjectId after);
 

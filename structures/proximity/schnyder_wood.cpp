@@ -67,6 +67,17 @@ void SchnyderWood::link_at(std::size_t colour, ObjectId p, ObjectId q, End at) {
   }
 }
 
+// Between two of the chain of q, which is in the order of f_j.
+void SchnyderWood::link_in_order(std::size_t colour, ObjectId p, ObjectId q) {
+  const std::size_t j = successor(colour);
+  ObjectId next = kNoObject, previous = end(colour, q, End::kLast);
+  while (previous != kNoObject && before_(j, p, previous)) {
+    next = previous;
+    previous = links_[previous][colour].previous;
+  }
+  link(colour, p, q, previous, next);
+}
+
 // ---- the whole wood
 
 // In colour i, with j and k behind it: points in the order of f_j choose among those before them,
@@ -97,6 +108,78 @@ void SchnyderWood::make(const std::array<std::span<const ObjectId>, kColours>& o
       if (old[p] != links_[p][colour].target) changed_(colour, p, old[p]);
     }
   }
+}
+
+// ---- points that come and go
+
+void SchnyderWood::insert(ObjectId p, std::span<const ObjectId> points) {
+  std::array<ObjectId, kColours> best{kNoObject, kNoObject, kNoObject};
+  std::array<std::vector<ObjectId>, kColours> choose;
+  for (const ObjectId r : points) {
+    if (r == p) continue;
+    std::array<bool, kColours> behind{before_(0, p, r), before_(1, p, r), false};
+    behind[2] = behind[0] == behind[1] ? !behind[0] : before_(2, p, r);
+    for (std::size_t i = 0; i < kColours; ++i) {
+      if (behind[successor(i)] != behind[predecessor(i)] || behind[i] == behind[successor(i)])
+        continue;
+      if (behind[i]) {  // r is in the cone i of p
+        if (best[i] == kNoObject || before_(i, r, best[i])) best[i] = r;
+      } else {
+        const ObjectId target = links_[r][i].target;
+        if (target == kNoObject || before_(i, p, target)) choose[i].push_back(r);
+      }
+    }
+  }
+  present_[p] = true;
+  for (std::size_t i = 0; i < kColours; ++i) {
+    const std::size_t j = successor(i);
+    std::sort(choose[i].begin(), choose[i].end(),
+              [&](ObjectId a, ObjectId b) { return before_(j, a, b); });
+    for (const ObjectId r : choose[i]) {
+      const ObjectId old = links_[r][i].target;
+      unlink(i, r);
+      link_at(i, r, p, End::kLast);
+      point(i, r, old);
+    }
+    link_in_order(i, p, best[i]);
+    if (best[i] != kNoObject) point(i, p, kNoObject);
+  }
+}
+
+// False if they are too many.
+bool SchnyderWood::add_neighbours(ObjectId p, std::vector<ObjectId>& neighbours) const {
+  for (std::size_t i = 0; i < kColours; ++i) {
+    if (links_[p][i].target != kNoObject) neighbours.push_back(links_[p][i].target);
+    for (ObjectId r = end(i, p, End::kFirst); r != kNoObject; r = links_[r][i].next) {
+      if (neighbours.size() >= kMostNeighbours) return false;
+      neighbours.push_back(r);
+    }
+  }
+  return true;
+}
+
+bool SchnyderWood::erase(ObjectId p) {
+  std::vector<ObjectId> neighbours;
+  if (!add_neighbours(p, neighbours)) return false;
+  present_[p] = false;
+  for (std::size_t i = 0; i < kColours; ++i) {
+    const std::size_t j = successor(i), k = predecessor(i);
+    const ObjectId old = links_[p][i].target;
+    unlink(i, p);
+    links_[p][i] = {};
+    if (old != kNoObject) point(i, p, old);
+    for (ObjectId r = end(i, p, End::kFirst); r != kNoObject; r = end(i, p, End::kFirst)) {
+      ObjectId best = kNoObject;
+      for (const ObjectId q : neighbours) {
+        if (q == r || (best != kNoObject && !before_(i, q, best))) continue;
+        if (before_(j, q, r) && before_(k, q, r)) best = q;
+      }
+      unlink(i, r);
+      link_in_order(i, r, best);
+      point(i, r, p);
+    }
+  }
+  return true;
 }
 
 // ---- two neighbours that have changed places

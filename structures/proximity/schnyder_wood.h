@@ -25,6 +25,16 @@
 // in i and j and before p in k would have been chosen by p, so q chooses p; those that see both in
 // colour j had chosen q; the next one of p is found among those that q covered, or behind q.
 //
+// A wood proves itself. Let each pointer of the wood of some points have its pair in the same order in two
+// configurations of them, and let the points move from one to the other linearly (a little, where they are
+// level, so that no two pairs change places at once). A pair changes places in an order once at most, and
+// none that a pointer joins does: the wood stays what it is. So pointers of which all claims hold are the
+// right ones, whatever became of the other pairs.
+//
+// Points that come or go. Without p only those that chose p choose others, and those are neighbours of p: the
+// rest of the triangulation stays, and the new edges are in the hole that p leaves. A point p that comes is
+// chosen in colour i where it is in the cone, and nearer along f_i than what is chosen there.
+//
 // Source: ours. The figure is the "equilateral Delaunay graph" of Rahmati, Abam, King, Whitesides
 // and Zarei, a Schnyder wood.
 #ifndef KINEX_STRUCTURES_PROXIMITY_SCHNYDER_WOOD_H
@@ -57,6 +67,13 @@ class SchnyderWood {
   // The wood of these points, each order from its first one to its last one. O(n log n). Points that
   // come or go are reported like all others.
   void make(const std::array<std::span<const ObjectId>, kColours>& orders);
+  // A point that is none of the wood comes; `points`: the others, in any order. O(1) comparisons for each of
+  // them, and those of a place in a chain for each pointer that changes.
+  void insert(ObjectId p, std::span<const ObjectId> points);
+  // A point goes. O(d^2) comparisons where it has d neighbours, and those of places in chains. False: it has
+  // more than kMostNeighbours, and nothing has changed.
+  static constexpr std::size_t kMostNeighbours = 32;
+  bool erase(ObjectId p);
   enum class Swap {
     kNothing,     // no pointer joins the two
     kDone,        // pointers have changed
@@ -101,6 +118,8 @@ class SchnyderWood {
   // p chooses q, and is put between two neighbours of the chain of q.
   void link(std::size_t colour, ObjectId p, ObjectId q, ObjectId previous, ObjectId next);
   void link_at(std::size_t colour, ObjectId p, ObjectId q, End end);
+  void link_in_order(std::size_t colour, ObjectId p, ObjectId q);
+  bool add_neighbours(ObjectId p, std::vector<ObjectId>& neighbours) const;
   void point(std::size_t colour, ObjectId p, ObjectId old) { changed_(colour, p, old); }
 
   std::size_t objects_;

@@ -239,7 +239,7 @@ Integer remade(const Scene& scene, const std::string& structure) {
 }
 
 // Points that pass each other make no wood anew. Two that meet change their order in all four lists; one wood can follow
-// the four swaps one by one, the other cannot. Without lists neither can, and a new motion makes both.
+// the four swaps one by one, the other cannot. Without lists neither can. A new motion makes none.
 TEST(Octants, WoodsMadeAnewAreCounted) {
   const Scene passing = random_flights(7, 12, 2, 1, false);
   const Trajectory still = path({{1}, {5}});
@@ -251,7 +251,49 @@ TEST(Octants, WoodsMadeAnewAreCounted) {
   Scene turning = meeting;
   turning.objects[2].motion.pieces = {{std::nullopt, Rational(4), still},
                                       {Rational(4), std::nullopt, path({{-3, 1}, {5}})}};
-  EXPECT_EQ(remade(turning, "octants_local"), Integer(4));
+  EXPECT_EQ(remade(turning, "octants_listed"), Integer(1));
+  EXPECT_EQ(remade(turning, "octants_local"), Integer(2));
+}
+
+// Before t = 1 the first point is level with the second one, and below it; from then on the two are equal,
+// and in the order of their ids.
+TEST(Octants, TwoPointsBecomeEqualByANewMotion) {
+  const Trajectory first = path({{2, -1}, {2, 1}});
+  Scene scene = scene_of({first, path({{2, -1}, {3}}), path({{1}, {5}})}, 0, Rational(2));
+  scene.objects[1].motion.pieces[0].to = Rational(1);
+  scene.objects[1].motion.pieces.push_back({Rational(1), std::nullopt, first});
+  EXPECT_EQ(remade(scene, "octants_local"), Integer(2));
+  const TwinRun run(scene, octants());
+  const TwinRun cones(scene, {ask("cones_local")});
+}
+
+// Points of a lattice that come and go, and change their motions at multiples of 1/4: many are level, and
+// many things happen at one instant.
+TEST(Octants, PointsThatComeAndGoOnALattice) {
+  for (std::uint64_t seed = 1; seed <= fewer(std::uint64_t{150}); ++seed) {
+    SCOPED_TRACE(seed);
+    const int n = 3 + static_cast<int>(seed % 9);
+    const Scene scene = random_flights(seed, n, 2, 1 + static_cast<int>(seed % 2), true);
+    const TwinRun run(scene, octants());
+    if (seed % 3 == 0) const TwinRun cones(scene, {ask("cones_local")});
+  }
+}
+
+// A point in the middle of 40 others has more neighbours than are compared one by one.
+TEST(Octants, APointOfManyNeighboursComesAndGoes) {
+  std::vector<Trajectory> t;
+  for (int i = 0; i < 40; ++i) {
+    const int x = i % 20 - 10, y = (i < 20 ? 1 : -1) * (100 - x * x);
+    t.push_back(path({{x, i % 3 - 1}, {y, i % 2}}));
+  }
+  t.push_back(path({{Rational(Integer(1), Integer(3))}, {Rational(Integer(1), Integer(7))}}));
+  for (const std::size_t one : {std::size_t{40}, std::size_t{7}}) {
+    Scene scene = scene_of(t, 0, Rational(4));
+    scene.objects[one].motion.pieces[0].from = Rational(1);
+    scene.objects[one].motion.pieces[0].to = Rational(2);
+    const TwinRun run(scene, octants());
+    const TwinRun cones(scene, {ask("cones_local")});
+  }
 }
 
 // Pairs of neighbours pass each other at t = 1, each along one axis. No wood is made anew for several of
