@@ -13,6 +13,7 @@
 #include "experiments/formats/plain_text.h"
 #include "experiments/lab/gmp_memory.h"
 #include "experiments/lab/machine.h"
+#include "experiments/lab/standard_streams.h"
 #include "experiments/verbs/help_format.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/usage_error.h"
@@ -53,6 +54,7 @@ int run(CLI::App& app, int argc, char** argv, int& exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  kinex::lab::hold_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, with a message
   kinex::lab::install_gmp_memory();
   const kinex::lab::GmpGuard guard;

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/formats/file_io.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "experiments/formats/input_error.h"
@@ -122,6 +125,17 @@ std::string open_file(fs::path path) {
   return "";
 }
 
+// False if the path leads to a file that this process has open, by open_file's number, in no mode for it: opened anew, it
+// would be /dev/null for the standard streams that the program was started without.
+bool is_open_for(const std::string& number, int forbidden) {
+  int file = 0;
+  const char* const end = number.data() + number.size();
+  const std::from_chars_result read = std::from_chars(number.data(), end, file);
+  if (read.ec != std::errc() || read.ptr != end) return true;
+  const int mode = ::fcntl(file, F_GETFL);
+  return mode == -1 || (mode & O_ACCMODE) != forbidden;
+}
+
 }  // namespace
 
 std::string read_file_bytes(const std::string& path) {
@@ -129,6 +143,9 @@ std::string read_file_bytes(const std::string& path) {
   std::error_code error;
   if (!standard_input && fs::is_directory(path, error)) {
     throw cannot_read(path, "it is a directory", "give a file");
+  }
+  if (!standard_input && !is_open_for(open_file(path), O_WRONLY)) {
+    throw cannot_read(path, std::strerror(EBADF), "check the name and its permissions");
   }
   std::unique_ptr<std::FILE, CloseFile> owned;
   if (!standard_input) {
@@ -180,6 +197,7 @@ OutputFile::OutputFile(std::string path, bool force, Unfinished unfinished)
                      "cannot be written: it is a symbolic link to a file that is missing",
                      "give another name, or --force to replace the link");
   }
+  if (direct && !is_open_for(open, O_RDONLY)) fail(std::strerror(EBADF));
   target_ = path_;
   if (exists && !direct) {
     // What a link leads to is replaced, and the link stays.
