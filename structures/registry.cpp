@@ -255,20 +255,21 @@ std::optional<Refusal> refusal_of_objects(const StructureInfo& info, const Reque
   }
   if (info.query_is_site && request.of.kind != Subset::Kind::kAll &&
       query_of(request) < scene.objects.size() && !scene.members(request.of)[query_of(request)]) {
-    return Refusal{"is about " + scene.objects[query_of(request)].id +
+    return Refusal{"is about " + show_text(scene.objects[query_of(request)].id) +
                        ", which is not among its sites",
                    "take it into \"of\""};
   }
   if (info.query && !info.query_is_site && request.of.kind != Subset::Kind::kAll &&
       request.of.kind != Subset::Kind::kAllBut && query_of(request) < scene.objects.size() &&
       scene.members(request.of)[query_of(request)]) {
-    return Refusal{"has its query " + scene.objects[query_of(request)].id + " among its sites",
-                   "leave it out of \"of\""};
+    return Refusal{
+        "has its query " + show_text(scene.objects[query_of(request)].id) + " among its sites",
+        "leave it out of \"of\""};
   }
   if (info.uses_key && request.key.kind == Key::Kind::kSquaredDistance) {
     const std::vector<bool> members = scene.members(request.of);
     if (!members.empty() && !members[request.key.object]) {
-      return Refusal{"measures the distance to " + scene.objects[request.key.object].id +
+      return Refusal{"measures the distance to " + show_text(scene.objects[request.key.object].id) +
                          ", which is not among its objects",
                      "take it into \"of\""};
     }
@@ -278,7 +279,7 @@ std::optional<Refusal> refusal_of_objects(const StructureInfo& info, const Reque
         std::any_of(scene.objects.begin(), scene.objects.end(),
                     [&colour](const SceneObject& object) { return object.colour == colour; });
     if (known) continue;
-    return Refusal{"is to compare \"" + colour + "\", a colour that no object has",
+    return Refusal{"is to compare " + show_text(colour) + ", a colour that no object has",
                    "write two colours of objects of the scene"};
   }
   if (!request.colours.empty() && request.colours[0] == request.colours[1]) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "core/engine/refused_change.h"
+#include "core/numbers/show_text.h"
 
 namespace kinex::verbs {
 
@@ -27,7 +28,7 @@ formats::InputError refused_scene(const Scene& scene, const std::string& file,
   std::string place;
   if (const auto* change = dynamic_cast<const RefusedChange*>(&refusal)) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-      if (!problem.starts_with(scene.objects[i].id + " ")) continue;
+      if (!problem.starts_with(show_text(scene.objects[i].id) + " ")) continue;
       const std::string here = plan_at(scene, i, change->time());
       if (!here.empty() && !place.empty()) return {file, "", problem, ""};
       if (!here.empty()) place = here;

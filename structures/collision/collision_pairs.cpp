@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/numbers/check.h"
+#include "core/numbers/show_text.h"
 #include "core/numbers/time_text.h"
 
 namespace kinex {
@@ -55,8 +56,8 @@ void CollisionPairs::insert(ObjectId object) {
       if (!pairs_[p].in_contact()) continue;
       const ObjectId other = pairs_[p].a == object ? pairs_[p].b : pairs_[p].a;
       throw std::invalid_argument(
-          scene_.objects[object].id + " appears at " + time_text(kernel_.now()) +
-          " in contact with " + scene_.objects[other].id +
+          show_text(scene_.objects[object].id) + " appears at " + time_text(kernel_.now()) +
+          " in contact with " + show_text(scene_.objects[other].id) +
           "; let it come, or jump, to where it is apart from all others, "
           "or say \"overlapping_starts\": \"contact\" (not \"refused\", the "
           "default) in the scene");

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/numbers/show_text.h"
 #include "structures/collision/collision_pairs.h"
 
 namespace kinex {
@@ -94,7 +95,7 @@ void CollisionPairs::audit(const Snapshot& snapshot, AuditReport& report) const 
     const ObjectId a = known.ids[i], b = known.ids[i + 1];
     touching.emplace(a, b);
     report.check(meet(bodies[a], bodies[b]), [&] {
-      return scene_.objects[a].id + " and " + scene_.objects[b].id +
+      return show_text(scene_.objects[a].id) + " and " + show_text(scene_.objects[b].id) +
              " are apart, and in contact for the structure";
     });
   }
@@ -105,7 +106,7 @@ void CollisionPairs::audit(const Snapshot& snapshot, AuditReport& report) const 
       if (bodies[order[j]].box.xmin() > bodies[order[i]].box.xmax()) break;
       if (touching.count({a, b}) != 0) continue;
       report.check(!overlap(bodies[a], bodies[b]), [&] {
-        return scene_.objects[a].id + " and " + scene_.objects[b].id +
+        return show_text(scene_.objects[a].id) + " and " + show_text(scene_.objects[b].id) +
                " overlap, and no contact is known";
       });
     }

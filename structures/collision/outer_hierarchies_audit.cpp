@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/numbers/show_text.h"
 #include "structures/collision/outer_hierarchies.h"
 
 namespace kinex {
@@ -114,7 +115,8 @@ void OuterHierarchies::audit(const Snapshot&, AuditReport& report) const {
     const SceneObject& body = scene_.objects[id];
     const Polygon polygon = polygon_of(body);
     for (std::size_t i = 0; i < kPolicies.size(); ++i) {
-      const std::string name = body.id + ", " + std::string(cut_policy_name(kPolicies[i]));
+      const std::string name =
+          show_text(body.id) + ", " + std::string(cut_policy_name(kPolicies[i]));
       audit_tree(*trees(id)[i], polygon, name, report);
     }
   }

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/numbers/show_text.h"
 #include "predicates/bodies/pose_2.h"
 
 namespace kinex {
@@ -22,7 +23,8 @@ void PairSums::make(PairId p) {
   if (made == nullptr) {
     throw std::invalid_argument(
         "separation_minkowski is for bodies that do not turn against each other; " +
-        pairs_.name(p, 0) + " and " + pairs_.name(p, 1) + " do: use separation_mixed");
+        show_text(pairs_.name(p, 0)) + " and " + show_text(pairs_.name(p, 1)) +
+        " do: use separation_mixed");
   }
   hierarchies_.add(made->frame.hierarchy());
   sums_[p] = {std::move(made), pairs_.kernel().motion_degree(pair.pose, 0, kPoseAxes) <= 1, 0};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/numbers/show_text.h"
 #include "structures/collision/separation_hysteresis.h"
 
 namespace kinex {
@@ -57,7 +58,8 @@ void SeparationHysteresis::audit(const Snapshot& snapshot, AuditReport& report) 
     const Rational offset = line.position(2, Rational());
     const bool is_disc = pair.certificates == 1;
     report.check(most <= offset && (is_disc ? most : offset) < least, [&] {
-      return "the line of " + own.body.id + " does not keep " + other.body.id + " off";
+      return "the line of " + show_text(own.body.id) + " does not keep " +
+             show_text(other.body.id) + " off";
     });
   }
 }

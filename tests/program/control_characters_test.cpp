@@ -76,9 +76,47 @@ TEST(ControlCharacters, NorInMessages) {
   ScratchFolder scratch;
   const std::string scene = scratch.file("scene.json");
   write_file(scene, kBodies);
-  expect_plain({"run", scene}, {"c\\u001b\\n appears at 6 in contact with a\\u001b\\n; "});
-  expect_plain({"view", scene, "-o", scratch.file("p.html")}, {"c\\u001b\\n appears at 6 in contact with a\\u001b\\n; "});
+  expect_plain({"run", scene}, {"\"c\\x1b\\x0a\" appears at 6 in contact with \"a\\x1b\\x0a\"; "});
+  expect_plain({"view", scene, "-o", scratch.file("p.html")},
+               {"\"c\\x1b\\x0a\" appears at 6 in contact with \"a\\x1b\\x0a\"; "});
   expect_plain({"check", scratch.file("no\x1b\nfile")}, {"no\\u001b\\nfile"});
+}
+
+// Of an id with a byte that ends texts of C, all is shown, and what comes after it.
+TEST(ControlCharacters, DoNotCutMessagesOff) {
+  ScratchFolder scratch;
+  const std::string scene = scratch.file("scene.json");
+  const auto refused = [&](const Words& command, const std::string& text,
+                           const std::string& message) {
+    write_file(scene, text);
+    const Finished finished = run_kinex(command);
+    EXPECT_EQ(finished.exit_code, 2) << message;
+    EXPECT_THAT(finished.err, HasSubstr(message));
+  };
+  const auto points = [](const std::string& maintain, const std::string& rest = "") {
+    return R"({"kinex": 1, "dimension": 2, "time": {"start": 0, "end": 2}, "objects": [)"
+           R"({"id": "a\u0000a", "colour": "red", "motion": [[0, 1], [0]]}, {"id": "b", "colour": "blue", "motion": [[1], [0]]}, )"
+           R"({"id": "c\u0000c", "motion": [[5], [1)" +
+           rest + R"(]]}], "maintain": [{"structure": )" + maintain + "}]}";
+  };
+  refused(
+      {"run", scene}, R"({"kinex": 1, "dimension": 2, "time": {"start": 0, "end": 9}, "objects": [
+  {"id": "a\u0000a", "polygon": [[-1, -1], [1, -1], [1, 1], [-1, 1]], "motion": [[0], [0]]},
+  {"id": "c\u0000c", "polygon": [[-1, -1], [1, -1], [1, 1], [-1, 1]],
+   "motion": [{"from": 6, "coordinates": [[0], [8, -1]]}]}], "maintain": ["separation_mixed"]})",
+      ": /objects/1/motion/0: \"c\\x00c\" appears at 6 in contact with \"a\\x00a\"; let it come");
+  refused({"run", scene},
+          points(R"("voronoi_cell_2", "query": "c\u0000c", "of": ["a\u0000a", "b"])"),
+          "is about \"c\\x00c\", which is not among its sites; take it into");
+  refused({"run", scene}, points(R"("nearest_site", "query": "c\u0000c", "of": ["c\u0000c", "b"])"),
+          "has its query \"c\\x00c\" among its sites; leave it out");
+  refused(
+      {"run", scene},
+      points(
+          R"("sorted_list", "key": {"squared_distance_to": "c\u0000c"}, "of": ["a\u0000a", "b"])"),
+      "measures the distance to \"c\\x00c\", which is not among its objects; take it into");
+  refused({"thin", scene}, points(R"("delaunay_2")", ", 0, 1"),
+          "object \"c\\x00c\" has a motion of degree 2; give a scene");
 }
 
 }  // namespace control_characters_test

@@ -32,7 +32,9 @@ TEST(RefusedRun, WritesWhatWasFinished) {
   write_file(scene, kScene);
   const Finished refused = run_kinex({"run", scene, "--events", log, "--summary", summary});
   EXPECT_EQ(refused.exit_code, 2) << refused.err;
-  EXPECT_THAT(refused.err, HasSubstr("kinex: " + scene + ": /objects/2/motion/0: c appears at 6 in contact with a; "));
+  EXPECT_THAT(refused.err,
+              HasSubstr("kinex: " + scene +
+                        ": /objects/2/motion/0: \"c\" appears at 6 in contact with \"a\"; "));
   EXPECT_THAT(refused.err, HasSubstr("\"overlapping_starts\": \"contact\""));
   EXPECT_THAT(refused.err, Not(HasSubstr("internal error")));
   const std::string events = read_file(log);
@@ -63,7 +65,9 @@ TEST(RefusedRun, AViewSaysTheSame) {
   write_file(scene, kScene);
   const Finished viewed = run_kinex({"view", scene, "-o", scratch.file("page.html")});
   EXPECT_EQ(viewed.exit_code, 2);
-  EXPECT_THAT(viewed.err, HasSubstr("kinex: " + scene + ": /objects/2/motion/0: c appears at 6 in contact with a; "));
+  EXPECT_THAT(viewed.err,
+              HasSubstr("kinex: " + scene +
+                        ": /objects/2/motion/0: \"c\" appears at 6 in contact with \"a\"; "));
 }
 
 TEST(CorruptRun, SaysSoOnce) {

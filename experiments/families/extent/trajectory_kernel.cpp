@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/numbers/show_text.h"
 #include "experiments/formats/counted.h"
 #include "predicates/points/unit_directions.h"
 #include "structures/registry.h"
@@ -170,11 +171,11 @@ std::string kernel_refusal(const Scene& scene) {
     const bool all_along = pieces.size() == 1 && (!piece.from || !(scene.start < *piece.from)) &&
                            (!piece.to || (scene.end && !(*piece.to < *scene.end)));
     if (!all_along) {
-      return "object \"" + object.id +
-             "\" does not follow one motion all the time; give a scene in which all do";
+      return "object " + show_text(object.id) +
+             " does not follow one motion all the time; give a scene in which all do";
     }
     if (piece.trajectory.degree() > 1) {
-      return "object \"" + object.id + "\" has a motion of degree " +
+      return "object " + show_text(object.id) + " has a motion of degree " +
              std::to_string(piece.trajectory.degree()) + "; give a scene of linear motion";
     }
   }

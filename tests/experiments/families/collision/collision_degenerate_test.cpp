@@ -298,13 +298,13 @@ TEST(CollisionDegenerate, NobodyAppearsInContact) {
                             piece(ratio(2, 3), 2, {{ratio(1, 2)}, {0}, {1}, {0}})},
                            2);
   jump.jumps = true;
-  refused(jump, "b appears at 2/3 (0.6666666667) in contact with a; ");
+  refused(jump, "\"b\" appears at 2/3 (0.6666666667) in contact with \"a\"; ");
   refused(with_pieces({piece(1, 2, {{-1}, {0}, {1}, {0}})}, 2),
-          "b appears at 1 in contact with a; ");
-  refused(with_pieces({piece(1, 2, {{3, -1}, {0}, {1}, {0}})}, 2), "b appears at 1 in ");
+          "\"b\" appears at 1 in contact with \"a\"; ");
+  refused(with_pieces({piece(1, 2, {{3, -1}, {0}, {1}, {0}})}, 2), "\"b\" appears at 1 in ");
   Scene crowd = with_pieces({piece(1, 2, {{-1}, {0}, {1}, {0}})}, 2);
   crowd.objects.push_back(body("c", square_of(1), {{9}, {0}, {1}, {0}}));
-  refused(crowd, "b appears at 1 in contact with a; ");
+  refused(crowd, "\"b\" appears at 1 in contact with \"a\"; ");
 }
 
 // The same scene in all sizes of space and of time.

@@ -260,7 +260,9 @@ TEST(OverlappingStarts, ARefusalHasATime) {
     } catch (const RefusedChange& change) {
       EXPECT_EQ(change.time(), late);
       const std::string what = change.what();
-      EXPECT_EQ(what.rfind("b appears at about 1 in contact with a; let it come, or jump, ", 0), 0u)
+      EXPECT_EQ(
+          what.rfind("\"b\" appears at about 1 in contact with \"a\"; let it come, or jump, ", 0),
+          0u)
           << what;
       EXPECT_NE(what.find("\"overlapping_starts\": \"contact\""), std::string::npos) << what;
     }
