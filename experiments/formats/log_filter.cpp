@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "core/numbers/near_names.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/log_rules.h"
+#include "experiments/formats/plain_text.h"
 
 namespace kinex::formats {
 
@@ -95,6 +98,15 @@ std::string known_beginning(const std::string& text, const std::vector<std::stri
   return "";
 }
 
+// `known`: what may have been meant; `there`: what the log has.
+[[noreturn]] void refuse_value(const char* key, const std::string& word, const std::string& file,
+                               const std::vector<std::string>& known,
+                               const std::vector<std::string>& there) {
+  throw InputError(
+      kOption, "", std::string("there is no ") + key + " " + show_text(word) + " in " + file,
+      plain(did_you_mean(word, known, "it has " + (there.empty() ? "none" : joined(there)))));
+}
+
 // The known values that these are, or are lists of.
 std::vector<std::string> fitted(const char* key, const std::vector<std::string>& values,
                                 const std::vector<std::string>& known, const std::string& file) {
@@ -104,15 +116,38 @@ std::vector<std::string> fitted(const char* key, const std::vector<std::string>&
       const std::string rest = value.substr(begin), found = known_beginning(rest, known);
       if (found.empty()) {
         const std::string word = rest.substr(0, rest.find(','));
-        throw InputError(kOption, "",
-                         std::string("there is no ") + key + " " + show_text(word) + " in " + file,
-                         did_you_mean(word, known, "it has " + joined(known)));
+        refuse_value(key, word, file, known, known);
       }
       begin += found.size() + 1;
       result.push_back(found);
     }
   }
   return result;
+}
+
+// Of its certificates, in the order of their names.
+std::vector<std::string> predicates_in(LogReader reader) {
+  std::set<std::string> found;
+  for (LogRecord record; reader.next(record);) {
+    if (record.certificate) found.insert(record.certificate->predicate);
+  }
+  return {found.begin(), found.end()};
+}
+
+// The log of a program with structures of its own may have predicates that kinex does not know.
+void refuse_unknown_predicates(const std::vector<std::string>& predicates,
+                               const LogReader& reader) {
+  const auto unknown = [](const std::string& name) { return !arity_of(name); };
+  if (std::none_of(predicates.begin(), predicates.end(), unknown)) return;
+  const std::vector<std::string> own = predicates_in(reader);
+  for (const std::string& name : predicates) {
+    if (!unknown(name) || has(own, name)) continue;
+    std::vector<std::string> known = own;
+    for (const std::string& one : predicate_names()) {
+      if (!has(known, one)) known.push_back(one);
+    }
+    refuse_value("predicate", name, reader.file(), known, own);
+  }
 }
 
 }  // namespace
@@ -154,7 +189,9 @@ std::vector<std::string>* LogFilter::values_of(std::string_view key) {
   return nullptr;
 }
 
-void LogFilter::fit(const LogHeader& header, const std::string& file) {
+void LogFilter::fit(const LogReader& reader) {
+  const LogHeader& header = reader.header();
+  const std::string& file = reader.file();
   if (auto* kinds = values_of("kind")) *kinds = fitted("kind", *kinds, kinds_of(header), file);
   if (auto* labels = values_of("structure")) {
     *labels = fitted("structure", *labels, labels_of(header), file);
@@ -162,6 +199,8 @@ void LogFilter::fit(const LogHeader& header, const std::string& file) {
   if (auto* objects = values_of("object")) {
     *objects = fitted("object", *objects, header.objects, file);
   }
+  if (const auto* predicates = values_of("predicate"))
+    refuse_unknown_predicates(*predicates, reader);
 }
 
 bool LogFilter::wants(const LogRecord& record) const {

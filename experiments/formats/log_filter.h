@@ -25,8 +25,9 @@ class LogFilter {
   // Throws InputError that names the option for text that is no condition.
   void add(std::string_view text);
   // Takes values that the log does not have apart at their commas. Throws InputError for a kind, structure
-  // or object that the log cannot have.
-  void fit(const LogHeader& header, const std::string& file);
+  // or object that the log cannot have, and for a predicate that is none of kinex and of no certificate in the log, which
+  // is read to its end to know that. `reader` is at the first record.
+  void fit(const LogReader& reader);
   bool wants(const LogRecord& record) const;
   bool wants_all() const { return conditions_.empty(); }
 

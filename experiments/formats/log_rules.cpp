@@ -2,7 +2,6 @@
 #include "experiments/formats/log_rules.h"
 
 #include <algorithm>
-#include <string>
 
 #include "structures/registry.h"
 
@@ -141,6 +140,12 @@ std::optional<std::size_t> arity_of(std::string_view predicate) {
     if (entry.predicate == predicate) return entry.objects;
   }
   return std::nullopt;
+}
+
+std::vector<std::string> predicate_names() {
+  std::vector<std::string> names;
+  for (const Arity& entry : kArities) names.emplace_back(entry.predicate);
+  return names;
 }
 
 }  // namespace kinex::formats

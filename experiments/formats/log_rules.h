@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,9 @@ const std::vector<KindRule>* own_kinds(std::string_view structure);
 
 // The number of arguments of a predicate; nullopt if there is no predicate of that name.
 std::optional<std::size_t> arity_of(std::string_view predicate);
+
+// All of them, without forms for shared arguments ("order_strip/012123").
+std::vector<std::string> predicate_names();
 
 }  // namespace kinex::formats
 

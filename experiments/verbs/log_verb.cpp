@@ -31,7 +31,7 @@ void show_log(const LogOptions& options, const Voice& voice) {
   for (const std::string& text : options.filters) filter.add(text);
   const std::string text = formats::read_text_file(options.file);
   formats::LogReader reader(text, options.file);
-  filter.fit(reader.header(), options.file);
+  filter.fit(reader);
   const formats::LogTable table = formats::log_table(
       reader, filter, options.csv ? formats::LogTableForm::kCsv : formats::LogTableForm::kPlain,
       options.columns);

@@ -85,7 +85,7 @@ TEST(ControlCharacters, NorInMessages) {
 // Of an id with a byte that ends texts of C, all is shown, and what comes after it.
 TEST(ControlCharacters, DoNotCutMessagesOff) {
   ScratchFolder scratch;
-  const std::string scene = scratch.file("scene.json");
+  const std::string scene = scratch.file("scene.json"), log = scratch.file("scene.jsonl");
   const auto refused = [&](const Words& command, const std::string& text,
                            const std::string& message) {
     write_file(scene, text);
@@ -117,6 +117,10 @@ TEST(ControlCharacters, DoNotCutMessagesOff) {
       "measures the distance to \"c\\x00c\", which is not among its objects; take it into");
   refused({"thin", scene}, points(R"("delaunay_2")", ", 0, 1"),
           "object \"c\\x00c\" has a motion of degree 2; give a scene");
+  write_file(scene, points(R"("sorted_list", "key": "x")"));
+  ASSERT_EQ(run_kinex({"run", scene, "--events", log}).exit_code, 0);
+  refused({"log", log, "--filter", "object=none"}, "",
+          "there is no object \"none\" in " + log + "; it has a\\u0000a, b, c\\u0000c\n");
 }
 
 }  // namespace control_characters_test

@@ -37,11 +37,16 @@ const std::string kLog =
            kRoot) +
     record(3, "[]", "null", kRoot, R"(, "gone": ["a"], "came": ["b c"])");
 
-LogTable table(LogTableForm form, const std::vector<std::string>& filters = {}) {
-  LogReader reader(kLog, "t.log");
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+LogTable table(LogTableForm form, const std::vector<std::string>& filters = {},
+               const std::string& log = kLog) {
+  LogReader reader(log, "t.log");
   LogFilter filter;
   for (const std::string& text : filters) filter.add(text);
-  filter.fit(reader.header(), "t.log");
+  filter.fit(reader);
   return log_table(reader, filter, form);
 }
 
@@ -122,6 +127,34 @@ TEST(LogTable, FiltersThatCannotBe) {
   EXPECT_INPUT_ERROR(filter.add("external=true,yes"), "\"yes\" is neither true nor false");
   EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"structure=hull"}), "it has list");
   EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"object=z"}), "there is no object \"z\" in t.log");
+  EXPECT_INPUT_ERROR(
+      table(LogTableForm::kCsv, {"predicate=in_cirle_2"}),
+      "--filter: there is no predicate \"in_cirle_2\" in t.log; did you mean in_circle_2?");
+  EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"predicate=order_x,flip"}),
+                     "--filter: there is no predicate \"flip\" in t.log; it has order_x");
+  EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"predicate="}),
+                     "there is no predicate \"\" in t.log");
+}
+
+// A program with structures of its own has predicates of its own.
+TEST(LogTable, PredicatesThatOnlyTheLogKnows) {
+  const std::string own = replaced(kLog, "\"predicate\": \"order_x\", \"ids\": [\"a\"",
+                                   "\"predicate\": \"mine\", \"ids\": [\"a\"");
+  EXPECT_EQ(table(LogTableForm::kCsv, {"predicate=mine"}, own).shown, 1u);
+  EXPECT_EQ(table(LogTableForm::kCsv, {"predicate=mine,order_y"}, own).shown, 1u);
+  EXPECT_EQ(table(LogTableForm::kCsv, {"predicate=order_strip/012123"}, own).shown, 0u);
+  EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"predicate=mien"}, own),
+                     "--filter: there is no predicate \"mien\" in t.log; did you mean mine?");
+  const std::string none =
+      kHeader + record(1, "[]", "null", kRoot, R"(, "gone": ["a"], "came": ["b c"])");
+  EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"predicate=flip"}, none), "in t.log; it has none");
+}
+
+// A message is not cut off where a name has a character of no width.
+TEST(LogTable, NamesWithControlCharacters) {
+  const std::string odd = replaced(kLog, R"(["a", "b c", "d,e",)", R"(["a", "b\u0000c", "d\ne",)");
+  EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"object=some"}, odd),
+                     R"(it has a, b\u0000c, d\ne, "f")");
 }
 
 TEST(LogTable, LongInstantsAreAbridged) {
