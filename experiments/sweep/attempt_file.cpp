@@ -32,7 +32,7 @@ bool is_attempt_name(const std::string& name) {
   return name.starts_with("shard-") && name.ends_with(".jsonl");
 }
 
-std::vector<std::string> attempt_paths(const std::string& folder) {
+void add_attempt_files(const std::string& folder, std::vector<std::string>& files) {
   std::vector<std::string> paths;
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
@@ -43,7 +43,7 @@ std::vector<std::string> attempt_paths(const std::string& folder) {
                      "give the folder of a sweep, that of -o");
   }
   std::sort(paths.begin(), paths.end());
-  return paths;
+  files.insert(files.end(), paths.begin(), paths.end());
 }
 
 void read_attempt(const std::string& path, std::vector<Attempt>& attempts) {
@@ -103,11 +103,15 @@ void AttemptFile::write_line(const std::string& text) {
                    "make room on the disk; the same command goes on from here");
 }
 
+std::vector<std::string> attempt_files(const std::vector<std::string>& folders) {
+  std::vector<std::string> files;
+  for (const std::string& folder : folders) add_attempt_files(folder, files);
+  return files;
+}
+
 std::vector<Attempt> read_attempts(const std::vector<std::string>& folders) {
   std::vector<Attempt> attempts;
-  for (const std::string& folder : folders) {
-    for (const std::string& path : attempt_paths(folder)) read_attempt(path, attempts);
-  }
+  for (const std::string& path : attempt_files(folders)) read_attempt(path, attempts);
   for (const Attempt& attempt : attempts) {
     const AttemptProvenance& first = attempts.front().provenance;
     if (attempt.provenance.program == first.program) continue;

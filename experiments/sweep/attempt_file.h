@@ -48,7 +48,10 @@ struct Attempt {
   std::vector<Record> records;  // record k is line k + 2
 };
 
-// All attempt files of the folders, by name; files without a complete first line are skipped.
+// The names of all attempt files in the folders, folder by folder, sorted. Throws InputError for a folder that cannot be read.
+std::vector<std::string> attempt_files(const std::vector<std::string>& folders);
+
+// All attempts in these files; files without a complete first line are skipped.
 // Throws InputError for a line that is no record, and if two files come from different programs.
 std::vector<Attempt> read_attempts(const std::vector<std::string>& folders);
 

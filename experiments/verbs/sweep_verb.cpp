@@ -295,6 +295,7 @@ void status(const std::vector<std::string>& folders, const Voice& voice, int& ex
 
 void merge(const std::vector<std::string>& folders, const std::string& path, bool force,
            const Voice& voice, int& exit_code) {
+  keep_attempts("--output", path, folders);
   const std::vector<Attempt> attempts = attempts_in(folders);
   if (const auto conflict = find_conflict(attempts)) {
     voice.error("two attempts at one cell do not agree; nothing is written\n" + conflict->place_a +

@@ -4,6 +4,7 @@
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/verbs/experiments.h"
+#include "experiments/verbs/option_values.h"
 
 namespace kinex::verbs {
 
@@ -41,6 +42,11 @@ void refuse_other_program(const std::vector<sweep::Attempt>& attempts) {
                                 lab::commit_text(attempts.front().provenance.build) +
                                 "; this program is of " + lab::commit_text(lab::build_facts()),
                             "give another folder with -o: records of two commits are not mixed");
+}
+
+void keep_attempts(const char* option, const std::string& output,
+                   const std::vector<std::string>& folders) {
+  for (const std::string& file : sweep::attempt_files(folders)) keep_input(option, output, file);
 }
 
 sweep::Journal journal_of(const std::vector<std::string>& folders, const std::string& file,

@@ -20,6 +20,7 @@
 #include "experiments/trade/report_text.h"
 #include "experiments/verbs/experiment_files.h"
 #include "experiments/verbs/option_values.h"
+#include "experiments/verbs/swept_work.h"
 #include "experiments/verbs/verbs.h"
 
 namespace kinex::verbs {
@@ -69,6 +70,7 @@ void check(const TradeOptions& options) {
     keep_input("--output", options.folder + "/trade.html", scene);
     keep_input("--output", options.folder + "/trade.txt", scene);
   }
+  keep_attempts("--markdown", options.markdown, options.from);
 }
 
 // What decides the results.

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/numbers/show_text.h"
 #include "tests/places.h"
 #include "tests/program/spawn.h"
 
@@ -250,6 +251,42 @@ TEST_F(Output, TheInputIsKept) {
   EXPECT_THAT(trade.err, HasSubstr("is the input itself"));
   EXPECT_EQ(read_file(html), scene);
   EXPECT_EQ(run_kinex({"run", "-", "--force", "--events", link}, scene).exit_code, 0);
+}
+
+// The files of a sweep are the input of what is made of them: merge could replace one, with what was in it alone.
+TEST_F(Output, TheFilesOfASweepAreKept) {
+  namespace fs = std::filesystem;
+  const std::string plan = scratch_.file("plan.json"), folder = scratch_.file("sweep");
+  write_file(
+      plan,
+      R"({"kinex_plan": 1, "name": "p", "blocks": [{"structure": ["sorted_list"], "workload": ["grid"], "n": [4, 9]}]})");
+  ASSERT_EQ(run_kinex({"sweep", "run", plan, "-o", folder}).exit_code, 0);
+  std::string name;
+  for (const auto& file : fs::directory_iterator(folder)) name = file.path().filename().string();
+  const std::string text = read_file(folder + "/" + name), link = scratch_.file("link"),
+                    around = scratch_.file("around");
+  fs::create_symlink(folder + "/" + name, link);
+  fs::create_directory_symlink(folder, around);
+  const std::set<std::string> before = files();
+  for (const std::string& output :
+       {folder + "/" + name, folder + "/./" + name, around + "/" + name, link}) {
+    for (const std::string& from : {folder, around}) {
+      const Finished merge = run_kinex({"sweep", "merge", from, "-o", output, "--force"});
+      EXPECT_EQ(merge.exit_code, 2) << output;
+      EXPECT_EQ(merge.err, "kinex: --output: " + show_text(output) +
+                               " is the input itself; give the output another name\n");
+    }
+    const Finished trade = run_kinex({"trade", "--quick", "--from", folder, "-o",
+                                      scratch_.file("t"), "--markdown", output, "--force"});
+    EXPECT_EQ(trade.exit_code, 2) << output;
+    EXPECT_EQ(trade.err, "kinex: --markdown: " + show_text(output) +
+                             " is the input itself; give the output another name\n");
+    EXPECT_EQ(files(), before);
+    EXPECT_EQ(read_file(folder + "/" + name), text);
+  }
+  const std::string database = folder + "/results.sqlite";
+  EXPECT_EQ(run_kinex({"sweep", "merge", folder, "-o", database}).exit_code, 0);
+  EXPECT_EQ(run_kinex({"sweep", "merge", folder, "-o", database, "--force"}).exit_code, 0);
 }
 
 // What a link leads to is written, and the link stays: a file, with the permissions that it had, or a file
