@@ -97,6 +97,20 @@ void keep_input(const char* option, const std::string& output, const std::string
                    "give the output another name");
 }
 
+void keep_apart(const char* option, const std::string& output, const std::string& other,
+                const std::string& what) {
+  namespace fs = std::filesystem;
+  if (output.empty() || other.empty() || output == "-" || other == "-") return;
+  std::error_code error;
+  // Relative names of files that do not exist are not made absolute by weakly_canonical.
+  const fs::path file = fs::weakly_canonical(fs::absolute(output), error);
+  if (error || fs::weakly_canonical(fs::absolute(other), error) != file || error) return;
+  const fs::file_status status = fs::status(file, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return;
+  throw formats::InputError(option, "", show_text(output) + " is " + what + " too",
+                            "give two names");
+}
+
 void print(const std::string& text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written || std::fflush(stdout) != 0) {

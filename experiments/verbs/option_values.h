@@ -43,6 +43,11 @@ void write_result(const std::string& path, bool force, const std::string& text);
 // "-" and devices are no files to be kept. Throws InputError that names the option.
 void keep_input(const char* option, const std::string& output, const std::string& input);
 
+// Refuses an output that is another one of the command, under any name: they would overwrite each other. `what` names that
+// one, as "the file of --events". A device (/dev/null) takes both. Throws InputError that names the option.
+void keep_apart(const char* option, const std::string& output, const std::string& other,
+                const std::string& what);
+
 // Prints to standard output; throws InputError if that fails (a closed pipe, a full disk).
 void print(const std::string& text);
 

@@ -5,11 +5,9 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -144,19 +142,7 @@ void check_outputs(const RunOptions& options) {
   }
   keep_input("--events", options.events, options.scene);
   keep_input("--summary", options.summary, options.scene);
-  if (options.events.empty() || options.summary.empty()) return;
-  if (options.events == "-" || options.summary == "-") return;
-  std::error_code error;
-  // Relative names of files that do not exist are not made absolute by weakly_canonical.
-  const auto name_of = [&error](const std::string& file) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
-  };
-  const auto events = name_of(options.events), summary = name_of(options.summary);
-  if (error || events != summary) return;
-  const std::filesystem::file_status status = std::filesystem::status(events, error);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return;
-  throw formats::InputError("--summary", "", show_text(options.summary) + " is the file of --events too",
-                   "give two names");
+  keep_apart("--summary", options.summary, options.events, "the file of --events");
 }
 
 // A killed run has left its lines under another name.

@@ -64,13 +64,13 @@ void check(const TradeOptions& options) {
     throw formats::InputError("--markdown", "", "\"-\": standard output has the tables",
                      "give the name of a file");
   }
-  for (const std::string& scene : options.what) {
-    keep_input("--markdown", options.markdown, scene);
-    keep_input("--output", options.folder + "/trade.sqlite", scene);
-    keep_input("--output", options.folder + "/trade.html", scene);
-    keep_input("--output", options.folder + "/trade.txt", scene);
-  }
+  for (const std::string& scene : options.what) keep_input("--markdown", options.markdown, scene);
   keep_attempts("--markdown", options.markdown, options.from);
+  for (const char* name : {"trade.sqlite", "trade.html", "trade.txt", "trade.unfinished"}) {
+    const std::string file = options.folder + "/" + name;
+    for (const std::string& scene : options.what) keep_input("--output", file, scene);
+    keep_apart("--markdown", options.markdown, file, std::string("the ") + name + " of --output");
+  }
 }
 
 // What decides the results.

@@ -411,5 +411,41 @@ TEST_F(Output, LogAndSummaryAreTwoFiles) {
             0);
 }
 
+// Seen before anything is run: the tables would be written over by the results, or the reverse.
+TEST_F(Output, TablesAndResultsAreTwoFiles) {
+  const std::string results = scratch_.file("results"), link = scratch_.file("link");
+  std::filesystem::create_directory_symlink(results, link);
+  const std::set<std::string> before = files();
+  for (const std::string name : {"trade.txt", "trade.html", "trade.sqlite", "trade.unfinished"}) {
+    for (const std::string& file :
+         {results + "/" + name, scratch_.path().string() + "/./results/" + name}) {
+      for (const Words& more : {Words{}, Words{"--force"}, Words{"--fresh"}}) {
+        Words command{"trade", scene_, "--arithmetic", "gsl", "-o", results, "--markdown", file};
+        command.insert(command.end(), more.begin(), more.end());
+        const Finished trade = run_kinex(command);
+        EXPECT_EQ(trade.exit_code, 2);
+        EXPECT_EQ(trade.out, "");
+        EXPECT_EQ(trade.err, "kinex: --markdown: " + show_text(file) + " is the " + name +
+                                 " of --output too; give two names\n");
+        EXPECT_EQ(files(), before);
+      }
+    }
+  }
+  EXPECT_EQ(run_kinex({"trade", scene_, "--arithmetic", "gsl", "-o", results, "--markdown",
+                       results + "/trade.md"})
+                .exit_code,
+            0);
+  EXPECT_EQ(run_kinex({"trade", scene_, "--force", "--arithmetic", "gsl", "-o", results,
+                       "--markdown", link + "/trade.txt"})
+                .exit_code,
+            2);
+  // A scene where the records of the run would be.
+  const std::string records = results + "/trade.unfinished", scene = read_file(scene_);
+  write_file(records, scene);
+  EXPECT_THAT(run_kinex({"trade", records, "--fresh", "--arithmetic", "gsl", "-o", results}).err,
+              HasSubstr("is the input itself"));
+  EXPECT_EQ(read_file(records), scene);
+}
+
 }  // namespace output_test
 }  // namespace kinex
