@@ -99,6 +99,9 @@ bool answer_file(const CcdOptions& options, const std::string& file, const Inter
 }
 
 void answer_files(const CcdOptions& options, const Voice& voice, int& exit_code) {
+  std::vector<InputArgument> inputs;
+  for (const std::string& file : options.files) inputs.push_back({"FILE", file});
+  check_standard_input(inputs);
   for (const std::string& file : options.files) kind_of(options, file);
   InterruptGuard interrupt;
   bool differs = false;

@@ -199,6 +199,7 @@ void tell_model(const Scene& scene, const Voice& voice) {
 }
 
 void check(const CheckOptions& options, const Voice& voice, int& exit_code) {
+  check_standard_input({{"FILE", options.file}, {"--scene", options.scene}});
   const std::string text = formats::read_text_file(options.file);
   if (formats::looks_like_log(text)) {
     std::optional<Scene> scene;

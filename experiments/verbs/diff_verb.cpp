@@ -231,6 +231,7 @@ std::string json_text(const formats::LogDifference& difference, const DiffOption
 }
 
 void diff(const DiffOptions& options, const Voice& voice, int& exit_code) {
+  check_standard_input({{"LOG", options.a}, {"OTHER", options.b}});
   const std::string a = formats::read_text_file(options.a);
   const std::string b = formats::read_text_file(options.b);
   const std::size_t most = options.all ? std::numeric_limits<std::size_t>::max() : kListed;

@@ -149,6 +149,7 @@ void maintain_all(Scene& scene, const std::vector<std::string>& maintain) {
 }
 
 void import_file(const ImportVerbOptions& options, const Voice& voice) {
+  check_standard_input({{"FILE", options.file}, {"--polygons", options.polygons.value_or("")}});
   keep_input("--output", options.output, options.file);
   formats::ImportOptions import_options = read_options(options);
   if (options.polygons) {

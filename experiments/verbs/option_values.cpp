@@ -111,6 +111,21 @@ void keep_apart(const char* option, const std::string& output, const std::string
                             "give two names");
 }
 
+void check_standard_input(const std::vector<InputArgument>& inputs) {
+  const InputArgument* first = nullptr;
+  for (const InputArgument& input : inputs) {
+    if (input.file != "-") continue;
+    if (first == nullptr) {
+      first = &input;
+      continue;
+    }
+    const std::string one = first->argument, other = input.argument;
+    throw formats::InputError(one == other ? one : one + " and " + other, "",
+                              "standard input is named twice",
+                              "give one of the two the name of a file");
+  }
+}
+
 void print(const std::string& text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written || std::fflush(stdout) != 0) {

@@ -48,6 +48,14 @@ void keep_input(const char* option, const std::string& output, const std::string
 void keep_apart(const char* option, const std::string& output, const std::string& other,
                 const std::string& what);
 
+// An argument of the command line that names a file to read, as "LOG" or "--scene".
+struct InputArgument {
+  const char* argument;
+  std::string file;
+};
+// Standard input can be read once: throws InputError that names the arguments if "-" is given twice.
+void check_standard_input(const std::vector<InputArgument>& inputs);
+
 // Prints to standard output; throws InputError if that fails (a closed pipe, a full disk).
 void print(const std::string& text);
 

@@ -64,6 +64,9 @@ void check(const TradeOptions& options) {
     throw formats::InputError("--markdown", "", "\"-\": standard output has the tables",
                      "give the name of a file");
   }
+  std::vector<InputArgument> inputs;
+  for (const std::string& scene : options.what) inputs.push_back({"WHAT", scene});
+  check_standard_input(inputs);
   for (const std::string& scene : options.what) keep_input("--markdown", options.markdown, scene);
   keep_attempts("--markdown", options.markdown, options.from);
   for (const char* name : {"trade.sqlite", "trade.html", "trade.txt", "trade.unfinished"}) {

@@ -163,6 +163,8 @@ void check(const ViewOptions& options) {
   if (options.max_events < 1) {
     throw formats::InputError("--max-events", "", "a page of no events", "write a number from 1 on");
   }
+  check_standard_input(
+      {{"FILE", options.file}, {"--scene", options.scene}, {"--with", options.with}});
   for (const std::string& input : {options.file, options.scene}) {
     if (!input.empty()) keep_input("--output", options.output, input);
   }

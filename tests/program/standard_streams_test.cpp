@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Standard streams that are closed.
+// Standard streams that are closed, and standard input that is named twice.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "tests/places.h"
 #include "tests/program/spawn.h"
@@ -15,6 +16,7 @@ namespace kinex {
 namespace standard_streams_test {
 
 using testing::HasSubstr;
+using Words = std::vector<std::string>;
 
 class StandardStreams : public testing::Test {
  protected:
@@ -94,6 +96,29 @@ TEST_F(StandardStreams, ChildrenOfExperiments) {
       exit_code_of("trade '" + scene_ + "' -q --arithmetic gsl -o '" + folder + "' <&- >&- 2>&-"),
       0);
   EXPECT_THAT(read_file(folder + "/trade.sqlite"), testing::StartsWith("SQLite format 3"));
+}
+
+TEST_F(StandardStreams, InputThatIsNamedTwice) {
+  const std::string log = read_file(log_);
+  for (const auto& [words, place] :
+       {std::pair(Words{"diff", "-", "-"}, "LOG and OTHER"),
+        {{"check", "-", "--scene", "-"}, "FILE and --scene"},
+        {{"view", "-", "--scene", "-", "-o", other_}, "FILE and --scene"},
+        {{"view", "-", "--with", "-", "-o", other_}, "FILE and --with"},
+        {{"view", log_, "--scene", "-", "--with", "-", "-o", other_}, "--scene and --with"},
+        {{"trade", "-", scene_, "-", "-o", other_}, "WHAT"},
+        {{"import", "-", "--polygons", "-"}, "FILE and --polygons"},
+        {{"ccd", "-", "-", "--kind", "edge-edge"}, "FILE"}}) {
+    const Finished twice = run_kinex(words, log);
+    EXPECT_EQ(twice.exit_code, 2) << words[0];
+    EXPECT_EQ(twice.err,
+              "kinex: " + std::string(place) +
+                  ": standard input is named twice; give one of the two the name of a file\n");
+    EXPECT_EQ(twice.out, "") << words[0];
+    EXPECT_FALSE(std::filesystem::exists(other_)) << words[0];
+  }
+  EXPECT_EQ(run_kinex({"diff", "-", log_}, log).exit_code, 0);
+  EXPECT_EQ(run_kinex({"check", log_, "--scene", "-"}, read_file(scene_)).exit_code, 0);
 }
 
 }  // namespace standard_streams_test
