@@ -71,6 +71,24 @@ void check_not_negative(const JsonNode& node, const std::vector<Rational>& coeff
 
 bool has_polygon(const JsonNode& object) { return object.find("polygon").has_value(); }
 
+bool is_line(const JsonNode& object) {
+  const auto line = object.find("line");
+  return line && line->is(JsonValue::Kind::kBoolean) && line->boolean();
+}
+
+// "a radius", "half extents"
+std::string with_article(Extents kind) {
+  return std::string(kind == Extents::kRadius ? "a " : "") + std::string(name_of(kind));
+}
+
+// Refuses the extents `node` of what never has some, beside a motion or in a flight plan.
+void refuse_of_body(const JsonNode& node, Extents kind) {
+  node.fail(with_article(kind) + " of a body", "remove it, or the \"polygon\"");
+}
+void refuse_of_line(const JsonNode& node, Extents kind) {
+  node.fail(quoted(kind) + " of a line", "remove it, or \"line\": true");
+}
+
 }  // namespace
 
 std::string_view name_of(Extents extents) {
@@ -78,6 +96,7 @@ std::string_view name_of(Extents extents) {
 }
 
 Extents read_kind_of_extents(const JsonNode& object) {
+  if (has_polygon(object) || is_line(object)) return Extents::kNone;
   const auto kind_of = [](const JsonNode& owner) {
     if (owner.find(kRadius)) return Extents::kRadius;
     return owner.find(kHalfExtents) ? Extents::kHalfExtents : Extents::kNone;
@@ -94,11 +113,10 @@ void check_kind_of_extents(const JsonNode& object, const Scene& scene) {
   for (const Extents kind : {Extents::kRadius, Extents::kHalfExtents}) {
     const auto node = object.find(member_of(kind));
     if (!node) continue;
-    const std::string what(kind == Extents::kRadius ? "a radius" : "half extents");
-    if (has_polygon(object)) {
-      node->fail(what + " of a body", "remove it, or the \"polygon\"");
-    }
+    const std::string what = with_article(kind);
+    if (has_polygon(object)) refuse_of_body(*node, kind);
     if (scene.extents == Extents::kNone) {
+      if (is_line(object)) refuse_of_line(*node, kind);
       node->fail(what + " in a scene of points", "give every object " + quoted(kind) + ", or none");
     }
     if (scene.extents != kind) {
@@ -125,11 +143,12 @@ void refuse_extents_beside_pieces(const JsonNode& object) {
 void add_extents(const JsonNode& owner, const Scene& scene, MotionPiece& piece) {
   for (const Extents kind : {Extents::kRadius, Extents::kHalfExtents}) {
     const auto node = owner.find(member_of(kind));
-    if (node && kind != scene.extents) {
-      node->fail(quoted(kind) + (scene.has_bodies() ? " of a body" : " of a flight plan") +
-                     " that other objects do not have",
-                 "give every flight plan of every object the same of the two, or none");
-    }
+    if (!node || kind == scene.extents) continue;
+    const SceneObject& object = scene.objects.back();
+    if (!object.polygon.empty()) refuse_of_body(*node, kind);
+    if (object.line) refuse_of_line(*node, kind);
+    node->fail(quoted(kind) + " of a flight plan that other objects do not have",
+               "give every flight plan of every object the same of the two, or none");
   }
   if (scene.extents == Extents::kNone) return;
   const auto node = owner.find(member_of(scene.extents));

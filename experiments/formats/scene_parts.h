@@ -27,13 +27,14 @@ std::vector<Rational> read_coefficients(const JsonNode& list, int max_degree,
 // "radius" or "half extents", for messages.
 std::string_view name_of(Extents extents);
 // The extents of the first object of a scene, and so of all: it has a "radius", or "half_extents",
-// beside its motion or in its first piece.
+// beside its motion or in its first piece. None if it is a body or a line.
 Extents read_kind_of_extents(const JsonNode& object);
 // Refuses an object that has other extents than the first one of the scene, or has a polygon,
 // a weight or vertices beside them.
 void check_kind_of_extents(const JsonNode& object, const Scene& scene);
 void refuse_extents_beside_pieces(const JsonNode& object);
-// Appends the extents of `owner`, an object or a piece, to its trajectory, if the scene has some.
+// Appends the extents of `owner`, the scene's last object or one of its pieces, to its trajectory, if the
+// scene has some.
 void add_extents(const JsonNode& owner, const Scene& scene, MotionPiece& piece);
 // Refuses extents that are negative at a time of the piece that is in the scene's time, or right
 // after it; `goes_on`: another piece begins where this one ends, so the time after its end is not

@@ -25,6 +25,9 @@ void append(MotionPiece& piece, std::vector<Rational> weight) {
 
 void refuse_others(const JsonNode& node, const Scene& scene, bool body) {
   if (body) node.fail("a weight of a body", "remove it: points alone have weights");
+  if (scene.objects.back().line) {
+    node.fail("\"weight\" of a line", "remove it, or \"line\": true");
+  }
   if (scene.extents == Extents::kRadius || scene.extents == Extents::kHalfExtents) {
     const bool disc = scene.extents == Extents::kRadius;
     node.fail(std::string("a weight of a ") + (disc ? "disc" : "box"),
