@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/numbers/near_names.h"
+#include "core/numbers/show_number.h"
 #include "core/numbers/show_text.h"
 #include "structures/families.h"
 #include "structures/family_summary.h"
@@ -200,7 +201,7 @@ std::optional<Refusal> refusal_of_parameter(const StructureInfo& info, const Par
       range += ", in steps of " + step.to_string();
     }
     if (fits) return std::nullopt;
-    return Refusal{"cannot have " + std::string(known.name) + " = " + parameter.value.to_string(),
+    return Refusal{"cannot have " + std::string(known.name) + " = " + show_number(parameter.value),
                    "write " + range};
   }
   return Refusal{"has no parameter \"" + parameter.name + "\"",

@@ -14,6 +14,7 @@
 #include "core/arithmetic/sturm_arithmetic.h"
 #include "core/arithmetic/touch.h"
 #include "core/numbers/rounded_instant.h"
+#include "core/numbers/show_text.h"
 
 namespace kinex {
 
@@ -135,8 +136,8 @@ std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& 
     }
   }
   throw std::invalid_argument(
-      "unknown arithmetic \"" + std::string(name) +
-      "\"; choose exact, sturm, double, gsl or mpfr:P with 2 <= P <= 100000 bits");
+      "unknown arithmetic " + show_text(name) +
+      "; choose exact, sturm, double, gsl or mpfr:P with 2 <= P <= 100000 bits");
 }
 
 }  // namespace kinex

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/numbers/show_number.h"
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 
@@ -151,7 +152,7 @@ void restore_pieces(const FeatureMembers& members, const Rational& start, const 
     const auto piece = std::find_if(pieces.begin(), pieces.end(), [&](const MotionPiece& one) {
       return (!one.from || *one.from < t) && (!one.to || t < *one.to);
     });
-    if (piece == pieces.end()) refuse(members, "cuts", "no piece goes on at " + cut.to_string());
+    if (piece == pieces.end()) refuse(members, "cuts", "no piece goes on at " + show_number(cut));
     const auto later = pieces.insert(piece + 1, *piece);
     later->from = t;
     (later - 1)->to = t;

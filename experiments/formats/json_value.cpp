@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/formats/json_value.h"
 
+#include "core/numbers/show_number.h"
 #include "core/numbers/show_text.h"
 
 namespace kinex::formats {
@@ -41,8 +42,7 @@ std::string shown(const JsonValue& value) {
     case JsonValue::Kind::kString:
       return show_text(text);
     case JsonValue::Kind::kNumber:
-      if (text.size() <= 40) return std::string(text);
-      return std::string(text.substr(0, 40)) + "... (" + std::to_string(text.size()) + " characters)";
+      return show_number(text);
     default:
       return std::string(kind_name(value.kind()));
   }

@@ -173,7 +173,8 @@ std::optional<Parameter> read_parameter(const JsonNode& member, const ParameterI
                                         const StructureInfo& info) {
   Parameter given{std::string(known.name), member.rational()};
   if (const auto refusal = refusal_of_parameter(info, given)) {
-    member.fail(show_text(info.name) + " " + refusal->problem, refusal->remedy);
+    member.fail(show_text(info.name) + " cannot have " + given.name + " = " + shown(member.value()),
+                refusal->remedy);
   }
   if (given.value == Rational::parse(known.usual).value()) return std::nullopt;
   return given;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/numbers/show_number.h"
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/lab/colours.h"
@@ -25,17 +26,17 @@ void check_body_parameters(const Workload& workload, const WorkloadParameters& p
     refuse(workload, "--separation", "this workload takes none", "leave --separation out");
   }
   if (parameters.separation && parameters.separation->sign() <= 0) {
-    refuse(workload, "--separation", parameters.separation->to_string() + " is no distance",
+    refuse(workload, "--separation", show_number(*parameters.separation) + " is no distance",
            "write a number greater than 0");
   }
   if (parameters.separation && workload.min_separation &&
       *parameters.separation < *workload.min_separation) {
-    refuse(workload, "--separation", parameters.separation->to_string() + " is too near",
+    refuse(workload, "--separation", show_number(*parameters.separation) + " is too near",
            "write " + workload.min_separation->to_string() + " or more");
   }
   if (parameters.separation && workload.max_separation &&
       *workload.max_separation < *parameters.separation) {
-    refuse(workload, "--separation", parameters.separation->to_string() + " is too far",
+    refuse(workload, "--separation", show_number(*parameters.separation) + " is too far",
            "write " + workload.max_separation->to_string() + " or less");
   }
   if (parameters.turns != -1 && !workload.takes_turns) {

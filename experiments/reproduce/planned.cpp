@@ -108,9 +108,9 @@ const lab::Paper& paper_named(const std::string& name) {
     known.emplace_back(paper.name);
     names += (names.empty() ? "" : ", ") + std::string(paper.name);
   }
-  throw formats::InputError("PAPER", "",
-                            name.empty() ? "there is none" : "\"" + name + "\": there is no such paper",
-                            did_you_mean(name, known, "write " + names));
+  throw formats::InputError(
+      "PAPER", "", name.empty() ? "there is none" : show_text(name) + ": there is no such paper",
+      did_you_mean(name, known, "write " + names));
 }
 
 std::vector<const lab::PaperPart*> parts_named(const lab::Paper& paper,
@@ -129,9 +129,9 @@ std::vector<const lab::PaperPart*> parts_named(const lab::Paper& paper,
       if (part.name == name) parts.push_back(&part);
     }
     if (parts.size() == before) {
-      throw formats::InputError("PART", "", "\"" + name + "\": the paper has no such part",
-                                did_you_mean(name, part_names,
-                                                      "write " + known + ", or nothing for all of them"));
+      throw formats::InputError(
+          "PART", "", show_text(name) + ": the paper has no such part",
+          did_you_mean(name, part_names, "write " + known + ", or nothing for all of them"));
     }
   }
   return parts;

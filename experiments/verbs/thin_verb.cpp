@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/numbers/show_number.h"
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/plain_text.h"
@@ -56,9 +57,11 @@ void thin_scene(const ThinOptions& options, const Voice& voice) {
   const lab::Thinning& method = *lab::known_thinning();
   const Rational error = rational_option("--error", options.error);
   if (error < method.least_error() || !(error < Rational(1))) {
-    throw formats::InputError("--error", "", options.error + " is no part of the diameter that may be lost",
-                              "write a number from " + method.least_error().to_string() +
-                                  " on, less than 1, as 1/50: the diameter of what is left is at least 1 - ERROR of that of all");
+    throw formats::InputError(
+        "--error", "", show_number(options.error) + " is no part of the diameter that may be lost",
+        "write a number from " + method.least_error().to_string() +
+            " on, less than 1, as 1/50: the diameter of what is left is at least 1 - ERROR of that "
+            "of all");
   }
   keep_input("--output", options.output, options.scene);
   const Scene scene = formats::read_scene(options.scene);

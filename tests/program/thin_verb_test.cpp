@@ -111,6 +111,8 @@ TEST(ThinVerb, RefusesByName) {
        "less than 1, as 1/50: the"},
       {{plane, "--error", "1"}, "--error: 1 is no part of the diameter that may be lost; write"},
       {{plane, "--error", "-1/2"}, "--error: -1/2 is no part of the diameter"},
+      {{plane, "--error", "1" + std::string(999, '9')},
+       "--error: 1" + std::string(39, '9') + "... (1000 characters) is no part of the diameter"},
       {{plane, "--error", "some"}, "--error: \"some\""},
       {{plane, "-o", plane}, "--output"},
       {{line},

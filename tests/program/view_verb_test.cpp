@@ -105,6 +105,8 @@ TEST_F(ViewVerb, BadInput) {
   expect_refused({log_, "--scene", log_, "-o", page_}, "");
   expect_refused({log_, "--scene", scene_, "--arithmetic", "gsl", "-o", page_}, "--arithmetic");
   expect_refused({scene_, "--arithmetic", "exakt", "-o", page_}, "unknown arithmetic \"exakt\"");
+  expect_refused({scene_, "--arithmetic", std::string(999, 'x'), "-o", page_},
+                 "unknown arithmetic \"" + std::string(40, 'x') + "\" (999 bytes); ");
   expect_refused({scene_, "--with", "exakt", "-o", page_},
                  "--with: \"exakt\" is neither an arithmetic nor a file; write exact, sturm");
   expect_refused({scene_, "--with", "mpfr:many", "-o", page_}, "--with: ");

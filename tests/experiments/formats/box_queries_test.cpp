@@ -104,7 +104,7 @@ TEST(BoxQueries, ScenesThatCannotAnswerAreRefused) {
                 .queries.size(),
             1u);
   EXPECT_INPUT_ERROR(parse(asking("[]", R"({"structure": "pseudo_kd_tree_2", "delta": "1/2"})")),
-                     "cannot have delta = 1/2; write a number of at least 0 and less than 1/2");
+                     "cannot have delta = \"1/2\"; write a number of at least 0 and less than 1/2");
   EXPECT_INPUT_ERROR(parse(asking("[]", R"({"structure": "pseudo_kd_tree_2", "delta": -1})")),
                      "cannot have delta = -1");
   EXPECT_INPUT_ERROR(parse(asking("[]", R"({"structure": "rank_kd_tree_2", "delta": 0})")),

@@ -237,6 +237,7 @@ TEST(MovingFeaturesIdentity, PlacesThatWereChanged) {
   EXPECT_INPUT_ERROR(point(R"("to": "2")"),
                      "/kinex/to: the object disappears before the scene ends");
   EXPECT_INPUT_ERROR(point(R"("cuts": ["3"])"), "/kinex/cuts: no piece goes on at 3");
+  EXPECT_INPUT_ERROR(point(R"("cuts": ["1e99999"])"), "no piece goes on at about 1e+99999; remove");
   EXPECT_INPUT_ERROR(point(R"("ends": ["u", "u"])"), "/kinex/ends: not the ends of an edge");
   EXPECT_INPUT_ERROR(point(R"("ends": ["u", "v"])"),
                      "edges of a graph with places of more than one axis");

@@ -280,6 +280,8 @@ TEST(PolygonWorkload, ParametersAreChecked) {
   EXPECT_INPUT_ERROR(generate("polygon-orbit", 4, 2), "--m: 2 vertices");
   EXPECT_INPUT_ERROR(generate("polygon-orbit", 4, 4, Rational(0)),
                      "--separation: 0 is no distance");
+  EXPECT_INPUT_ERROR(generate("polygon-orbit", 4, 4, Rational::parse("-1e99999").value()),
+                     "--separation: about -1e+99999 is no distance; write");
   EXPECT_INPUT_ERROR(generate("polygon-orbit", 4, 4, Rational(1), 0), "--turns: 0 turns");
   EXPECT_INPUT_ERROR(generate("polygon-fan", 4, 4, Rational(1), 2),
                      "--turns: this workload takes none");
