@@ -53,11 +53,13 @@ std::string JsonNode::path() const {
 }
 
 void JsonNode::fail(const std::string& problem, const std::string& remedy) const {
-  const std::size_t line =
-      position_in(source_->text, value_->offset()).line + source_->first_line - 1;
   const std::string where = path();
-  throw InputError(source_->file, where.empty() ? "/" : where, problem,
-                   remedy + " (line " + std::to_string(line) + ")");
+  std::string line;
+  if (source_->first_line != 0) {
+    const std::size_t below = position_in(source_->text, value_->offset()).line - 1;
+    line = " (line " + std::to_string(source_->first_line + below) + ")";
+  }
+  throw InputError(source_->file, where.empty() ? "/" : where, problem, remedy + line);
 }
 
 void JsonNode::refuse(std::string_view what, const std::string& remedy) const {

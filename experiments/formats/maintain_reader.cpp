@@ -442,7 +442,7 @@ void read_option_entry(const std::string& entry, Scene& scene) {
   if (entry.empty() || entry[0] != '{') return read_short_entry(entry, scene);
   const JsonDocument document = parse_json(entry, kOption);
   const JsonValue& tree = *document;
-  const JsonSource source{kOption, entry};
+  const JsonSource source{kOption, entry, 0};
   read_entry(JsonNode(tree, source), scene);
 }
 

@@ -14,6 +14,7 @@
 #include "core/numbers/near_names.h"
 #include "experiments/formats/canonical_json.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/scene_reader.h"
 #include "experiments/lab/scene_run.h"
 #include "experiments/lab/workload.h"
 #include "structures/registry.h"
@@ -125,6 +126,19 @@ formats::InputError in_a_plan(const formats::InputError& error, const RunCell& c
   return {error.file(), error.place(), problem,
           other.empty() ? "name another structure; no workload makes such scenes"
                         : "name another structure, or another workload, as " + other};
+}
+
+// Fails at the part of `node` that an error's place, a path from there, leads to.
+[[noreturn]] void fail_within(const formats::JsonNode& node, std::string_view place,
+                              const formats::InputError& error) {
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    const formats::JsonNode part = node.at(i);
+    const std::string step = part.path().substr(node.path().size());
+    if (!place.starts_with(step)) continue;
+    const std::string_view rest = place.substr(step.size());
+    if (rest.empty() || rest.front() == '/') fail_within(part, rest, error);
+  }
+  node.fail(error.problem(), error.remedy());
 }
 
 class BlockReader {
@@ -323,7 +337,29 @@ class BlockReader {
     } catch (const formats::InputError& error) {
       std::string option = error.place().empty() ? error.file() : error.place();
       if (error.file() != "--maintain") fail(error, std::move(option), example.at);
+      fail_at_structure(example);
       fail(in_a_plan(error, example.cell), "structure", example.at);
+    }
+  }
+
+  // Fails at the first of the cell's structures that its scene does not take, if it is one of them.
+  void fail_at_structure(const Example& example) const {
+    const RunCell& cell = example.cell;
+    Scene scene = lab::generate_scene(*lab::find_workload(cell.workload), cell.parameters);
+    const auto axis = std::find_if(axes_.begin(), axes_.end(),
+                                   [](const Axis& one) { return one.name == "structure"; });
+    const std::size_t chosen = example.at[static_cast<std::size_t>(axis - axes_.begin())];
+    const formats::JsonNode& node = *axis->choices[chosen].node;
+    for (std::size_t i = 0; i < cell.maintain.size(); ++i) {
+      try {
+        formats::set_maintain(scene, {cell.maintain.begin(),
+                                      cell.maintain.begin() + static_cast<std::ptrdiff_t>(i) + 1});
+      } catch (const formats::InputError& error) {
+        const formats::InputError here = in_a_plan(error, cell);
+        if (!node.is(formats::JsonValue::Kind::kArray)) fail_within(node, here.place(), here);
+        const formats::JsonNode entry = node.at(i);
+        fail_within(entry, here.place(), here);
+      }
     }
   }
 

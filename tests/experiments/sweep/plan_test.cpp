@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <set>
 
+#include "experiments/formats/input_error.h"
 #include "experiments/formats/sha256.h"
 #include "tests/experiments/expect_input_error.h"
 
@@ -16,6 +17,7 @@ namespace plan_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 Plan plan_of(const std::string& blocks) {
   return parse_plan(R"({"kinex_plan": 1, "name": "test", "blocks": [)" + blocks + "]}", "plan.json",
@@ -212,6 +214,38 @@ TEST(SweepPlan, DefectsHaveAPlace) {
       R"({"structure": "sorted_list", "workload": "grid", "n": [3, 4, 5, 6, 7, 8, 9, 10, 11, 12],
               "seed": {"from": 1, "to": 200000}})",
       "", "more than 200000 cells");
+}
+
+// The path goes into the entry, the line is that of the plan, and no other line is told.
+TEST(SweepPlan, DefectsOfStructuresHaveTheirLines) {
+  const auto refused = [](const std::string& second, const std::string& message) {
+    const std::string block =
+        R"({"workload": "uniform-square", "n": 5, "structure": ["sorted_list",)" + second + "]}";
+    try {
+      plan_of(block);
+      ADD_FAILURE() << second << " is taken";
+    } catch (const formats::InputError& error) {
+      const std::string text = error.what();
+      EXPECT_THAT(text, HasSubstr("plan.json: /blocks/0/structure/1" + message));
+      EXPECT_THAT(text.substr(text.size() - 9), HasSubstr(" (line 3)"));
+      EXPECT_THAT(text.substr(0, text.size() - 9), Not(HasSubstr("(line"))) << text;
+    }
+  };
+  refused("\n{\"structure\": \"diameter_2\",\n\"over\": \"zzz\"}",
+          "/over: \"zzz\" is not a known structure; ");
+  refused("\n{\"structure\": \"diameter_2\",\n\"over\": {\"structure\": \"zzz\"}}",
+          "/over/structure: \"zzz\" is not a known structure; ");
+  refused("\n{\"structure\": \"delaunay_2\",\n\"key\": \"x\"}",
+          "/key: \"delaunay_2\" takes no key; ");
+  refused("\n{\"structure\": \"delaunay_2\",\n\"sead\": 1}",
+          "/sead: \"sead\" is not a known field; ");
+  refused("\n{\"structure\": \"emst_clusters\",\n\"cluster\": -1}",
+          "/cluster: \"emst_clusters\" cannot have cluster = -1; ");
+  refused("\n\n\"zzz\"", ": \"zzz\" is not a known structure; ");
+  refused("\n\n[\"delaunay_2\", {\"structure\": \"delaunay_2\", \"of\": [\"zzz\"]}]",
+          "/1/of/0: there is no object \"zzz\"; ");
+  refused("\n\n[\"delaunay_2\", {\"structure\": \"delaunay_2\"}]",
+          "/1: the label \"delaunay_2\" is used twice; ");
 }
 
 TEST(SweepPlan, DefectsOfTheWhole) {
