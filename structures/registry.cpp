@@ -120,6 +120,19 @@ std::optional<Refusal> refusal_of(const StructureInfo& info, const Scene& scene)
                    std::string("maintain a structure for ") +
                        (info.bodies ? "points" : "rigid bodies") + " (kinex list structures)"};
   }
+  if (info.lines == LineUse::kNone && scene.has_lines()) {
+    return Refusal{"is for points, the scene has lines",
+                   "remove \"line\": true, or maintain something else"};
+  }
+  const std::string axes = std::to_string(info.min_dimension) +
+                           (info.min_dimension == 1 ? " axis" : " axes") + ", the scene has " +
+                           std::to_string(scene.dimension);
+  if (scene.dimension < info.min_dimension) {
+    return Refusal{"needs " + axes, "maintain something else, or give the scene more axes"};
+  }
+  if (!info.any_dimension && scene.dimension > info.min_dimension) {
+    return Refusal{"is for " + axes, "leave axes out, or maintain something else"};
+  }
   const auto has_ends = [](const SceneObject& object) { return !object.ends.empty(); };
   const auto bare = std::find_if_not(scene.objects.begin(), scene.objects.end(), has_ends);
   if (info.graph && bare != scene.objects.end()) {
@@ -130,10 +143,6 @@ std::optional<Refusal> refusal_of(const StructureInfo& info, const Scene& scene)
     return Refusal{"is for points with weights and for discs, the scene has boxes",
                    "give the objects a \"weight\" or a \"radius\" instead of \"half_extents\", or "
                    "maintain something else"};
-  }
-  if (info.lines == LineUse::kNone && scene.has_lines()) {
-    return Refusal{"is for points, the scene has lines",
-                   "remove \"line\": true, or maintain something else"};
   }
   if (info.lines != LineUse::kNone && !scene.objects.empty() && !scene.has_lines()) {
     return Refusal{"is for lines, the scene has none",
@@ -148,15 +157,6 @@ std::optional<Refusal> refusal_of(const StructureInfo& info, const Scene& scene)
                    std::string("give every object ") +
                        (discs ? "a \"radius\"" : "\"half_extents\", or a \"radius\"") +
                        ", or maintain something else"};
-  }
-  const std::string axes = std::to_string(info.min_dimension) + (info.min_dimension == 1 ? " axis" : " axes") +
-                           ", the scene has " +
-                           std::to_string(scene.dimension);
-  if (scene.dimension < info.min_dimension) {
-    return Refusal{"needs " + axes, "maintain something else, or give the scene more axes"};
-  }
-  if (!info.any_dimension && scene.dimension > info.min_dimension) {
-    return Refusal{"is for " + axes, "leave axes out, or maintain something else"};
   }
   const int degree = info.weights ? scene.degree() : scene.degree_without_weights();
   if (degree > info.largest_degree) {

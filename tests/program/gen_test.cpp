@@ -70,8 +70,7 @@ TEST(Gen, TheWorstHullMaintainsAHull) {
 TEST(Gen, WhatAStructureNeeds) {
   expect_refused(
       {"uniform-square", "--n", "8", "--maintain", "graph_mst_list"},
-      "--maintain: \"graph_mst_list\" is for edges of a graph, object \"p0\" has no ends; "
-      "give --dimension 1");
+      "--maintain: \"graph_mst_list\" is for 1 axis, the scene has 2; give --dimension 1");
   EXPECT_EQ(gen({"uniform-square", "--n", "8", "--dimension", "1", "--maintain", "graph_mst_list"})
                 .exit_code,
             0);
