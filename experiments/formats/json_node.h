@@ -19,7 +19,7 @@ namespace kinex::formats {
 struct JsonSource {
   std::string file;
   std::string_view text;
-  std::size_t first_line = 1;    // 0: an option, whose messages tell no lines
+  std::size_t first_line = 1;    // 0: of an option, without lines in messages
   Deadline* deadline = nullptr;  // readers poll it between numbers; null: none
 };
 

@@ -216,7 +216,7 @@ TEST(SweepPlan, DefectsHaveAPlace) {
       "", "more than 200000 cells");
 }
 
-// The path goes into the entry, the line is that of the plan, and no other line is told.
+// The path goes into the entry; the one line is that of the plan.
 TEST(SweepPlan, DefectsOfStructuresHaveTheirLines) {
   const auto refused = [](const std::string& second, const std::string& message) {
     const std::string block =
