@@ -74,6 +74,7 @@ RealRoot ExactArithmetic::copy_of_now() {
   set_name_polynomial();
   Polynomial p(naming_.polynomial);
   if (p.degree() == 1) return RealRoot(Rational(-p[0], p[1]));  // lo = hi = 0 is one of them
+  if (naming_.lo == naming_.hi) return RealRoot(*Rational::from_double(naming_.lo));
   return RealRoot(std::move(p), *Rational::from_double(naming_.lo),
                   *Rational::from_double(naming_.hi));
 }

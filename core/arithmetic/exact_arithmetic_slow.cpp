@@ -96,8 +96,9 @@ std::uint32_t ExactArithmetic::make_root(const Query& query, const FailureTime& 
   Polynomial p = exact_polynomial(query);
   root_counters_.max_bits = std::max<std::uint64_t>(root_counters_.max_bits, p.max_bits());
   if (p.degree() == 1) return roots_.add(Rational(-p[0], p[1]));
-  return roots_.add(
-      RealRoot(std::move(p), exactly(time.lo), exactly(time.hi)));
+  // A comparison has found it to be this number, and its root has been released since.
+  if (time.lo == time.hi) return roots_.add(exactly(time.lo));
+  return roots_.add(RealRoot(std::move(p), exactly(time.lo), exactly(time.hi)));
 }
 
 std::uint32_t ExactArithmetic::root_of(const Query& query, FailureTime& time) {
