@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pages of `kinex view`: Voronoi cells, colours, queries, frames of lines, records that report, curves with names.
+"""Pages of `kinex view`: Voronoi cells, colours, queries, frames of lines, records that report, curves with names,
+walls of grids, what is named.
 
 usage: view_marks.py PROGRAM SOURCE_FOLDER
 Exit code 77 (skipped) where there is no Chromium.
 """
+import fractions
 import json
 import math
 import pathlib
@@ -131,13 +133,76 @@ def check_curves(viewer):
         fail("no discs meet")
 
 
+# The segments and rings of a drawing in one tone, and the texts with theirs: [x, y, text, tone].
+DRAWN = """((k, tone) => { const lines = [], rings = [], texts = [], shapes = drawShapes, plain = label;
+  drawShapes = (c, list, colour, ...more) => { if (colour === COLOUR[tone]) for (const s of list) {
+    if (s.from) lines.push([s.from, s.to]); else if (s.dot) rings.push(s.dot); } shapes(c, list, colour, ...more); };
+  label = (c, text, x, y, colour, ...more) => { texts.push([x, y, text, colour]); plain(c, text, x, y, colour, ...more); };
+  app.setEvent(k); app.draw(); drawShapes = shapes; label = plain;
+  const next = app.proof.next(k), claim = next === null ? null : app.proof.certificate(next[0]);
+  return { lines, rings, named: texts.filter(t => t[3] === COLOUR[tone]).map(t => t[2]), texts: texts.map(t => t[2]),
+           ids: claim === null ? [] : claim.ids.map(nameOf), places: DATA.ids.map((_, i) => app.plane.at(i)),
+           legend: document.getElementById('legend').textContent, rectangle: app.plane.rectangle,
+           origin: app.plane.onScreen(0, 0), scale: app.plane.scale / DATA.scale }; })"""
+
+
+def check_walls(viewer):
+    """The certificate that fails next at a wall of a grid is drawn: the wall where it is, a ring around the object; both are named."""
+    for name, scene in (("grid", ["small-discs", "--n", "10", "--maintain", "disc_pairs_grid"]),
+                        ("bins", ["uniform-square", "--n", "20", "--seed", "2", "--maintain", "closest_pair_bins"])):
+        look(viewer, name, scene)
+        axes = set()
+        for k in range(0, min(60, viewer.ask("LAST"))):
+            seen = viewer.ask(f"{DRAWN}({k}, 'next')")
+            walls = [i for i, text in enumerate(seen["ids"]) if "=" in text]
+            if not walls:
+                continue
+            axis, value = seen["ids"][walls[0]].split("=")
+            axis, value = "xy".index(axis), float(fractions.Fraction(value)) * seen["scale"]
+            wanted = seen["origin"][axis] + (value if axis == 0 else -value)
+            if not any(abs(end[axis] - wanted) < 1e-6 for line in seen["lines"] for end in line):
+                fail(f"{name}, record {k}: {seen['ids']}, but {seen['lines']} are drawn, not {wanted}")
+            point = viewer.ask(f"DATA.ids.indexOf({json.dumps(seen['ids'][1 - walls[0]])})")
+            if seen["places"][point] not in seen["rings"] or sorted(seen["named"]) != sorted(seen["ids"]):
+                if set(seen["ids"]) & set(viewer.ask("app.certificateObjects().map(nameOf)")):
+                    continue  # in the tone of the last record
+                fail(f"{name}, record {k}: {seen['ids']}, but {seen['rings']} and {seen['named']}")
+            axes.add(axis)
+        if axes != {0, 1}:
+            fail(f"{name}: walls on the axes {axes} fail next")
+    # What cannot be drawn is not in the legend.
+    viewer.say("app.plane.isThere = () => false;")
+    if "fails next" in viewer.ask(f"{DRAWN}({k}, 'next')")["legend"]:
+        fail("the legend has what is not drawn")
+
+
+def check_names(viewer):
+    """All objects in sight are named if they are few, however many the scene has; else those of the last record and the next."""
+    few = {"kinex": 1, "name": "come and go", "dimension": 2, "time": {"start": 0, "end": 10}, "maintain": ["delaunay_2"],
+           "objects": [{"id": f"p{i}", "motion": [{"from": f"{i}/8", "to": f"{i + 8}/8",
+                                                   "coordinates": [[i * 37 % 11, 1], [i * 17 % 13, -1]]}]} for i in range(72)]}
+    look(viewer, "few", few)
+    for k in range(viewer.ask("LAST")):
+        seen = viewer.ask(f"{DRAWN}({k}, 'next')")
+        there = viewer.ask("[...alive.keys()].filter(i => alive[i]).map(nameOf)")
+        missing = [name for name in there if name not in seen["texts"]]
+        if len(missing) > len(there) / 3 or set(seen["ids"]) & set(missing):
+            fail(f"few, record {k}: {missing} of {there} are not named")
+    look(viewer, "many", ["uniform-square", "--n", "90", "--maintain", "delaunay_2"])
+    for k in range(0, 60, 7):
+        seen = viewer.ask(f"{DRAWN}({k}, 'next')")
+        if not set(seen["ids"]) <= set(seen["texts"]) or not seen["ids"] or seen["texts"].count("p0") > 1:
+            fail(f"many, record {k}: of {seen['ids']} only {seen['named']} are named")
+
+
 def main():
     browser()
     sys.path.insert(0, str(pathlib.Path(sys.argv[2]) / "experiments" / "view"))
     import devtools  # pylint: disable=import-outside-toplevel
     with tempfile.TemporaryDirectory() as name, devtools.Browser(1400, 950) as window:
         viewer = Viewer(sys.argv[1], name, window)
-        for check in (check_cell, check_colours, check_lines, check_reports, check_curves):
+        for check in (check_cell, check_colours, check_lines, check_reports, check_curves,
+                      check_walls, check_names):
             check(viewer)
     print("cells, colours, lines, reports and curves are as they should be")
 

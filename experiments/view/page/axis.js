@@ -28,6 +28,7 @@ class KeyAxis {
     const x = value => this.left + this.width / 2 + this.dx +
       (value - (low + high) / 2) / (high - low) * this.width * this.zoom;
     this.where = new Map([...values].map(([object, value]) => [object, x(value)]));
+    this.placeOfWall = wall => (wall.axis === key.axis ? x(wall.value) : undefined);
     this.drawScale(context, key, x, low, high);
     this.drawArcs(context, picture);
     this.drawObjects(context);
@@ -63,9 +64,17 @@ class KeyAxis {
     }
   }
 
+  // Of an object, or of a wall on this axis; undefined where there is none.
+  placeOf(id) {
+    const wall = wallOf(id);
+    return wall === null ? this.where.get(id) : this.placeOfWall(wall);
+  }
+  isThere(c) {
+    return this.app.proof.certificate(c).ids.slice(0, 2).every(id => this.placeOf(id) !== undefined);
+  }
   // Arcs are as high as half their length, up to what there is room for.
   arc(context, ids) {
-    const [a, b] = ids.map(id => this.where.get(id));
+    const [a, b] = ids.map(id => this.placeOf(id));
     const up = this.ranks ? Math.abs(this.ranks.get(ids[0]) - this.ranks.get(ids[1])) === 1 : true;
     const room = (up ? this.y - 50 : this.height - this.y - 60) * 1.3;
     const size = Math.min(room, 14 + Math.abs(b - a) * 0.55);
@@ -85,12 +94,12 @@ class KeyAxis {
     const next = proof.next(app.k), soon = next === null ? -1 : next[0];
     const draw = (c, colour, width) => {
       const { ids } = proof.certificate(c), pair = ids.slice(0, 2);
-      if (!pair.every(id => this.where.has(id))) return;
+      if (!this.isThere(c)) return;
       context.strokeStyle = colour;
       context.lineWidth = width;
       const top = this.arc(context, pair);
       context.stroke();
-      this.arcs.push([c, top, pair.map(id => this.where.get(id))]);
+      this.arcs.push([c, top, pair.map(id => this.placeOf(id))]);
     };
     context.globalAlpha = proof.live.size > 300 ? 0.35 : 0.8;
     for (const c of proof.live) if (c !== soon && c !== app.selected) draw(c, COLOUR.proof, 1.2);
@@ -100,7 +109,7 @@ class KeyAxis {
       draw(app.selected, COLOUR.selected, 3);
     }
     const failed = app.failedClaim();
-    if (failed === null || !failed.ids.slice(0, 2).every(id => this.where.has(id))) return;
+    if (failed === null || !failed.ids.slice(0, 2).every(id => this.placeOf(id) !== undefined)) return;
     context.strokeStyle = COLOUR.failed;
     context.lineWidth = 1.4;
     context.setLineDash([2, 3]);

@@ -129,7 +129,11 @@ class Diagram {
       context.lineWidth = width;
       context.beginPath();
       for (const object of ids) {
+        const wall = wallOf(object);
         if (object < OBJECTS && memberOf(this.key, object)) this.curve(context, axis, object, from, to);
+        if (wall === null || wall.axis !== this.key.axis) continue;
+        context.moveTo(axis.x(from), this.y(wall.value));
+        context.lineTo(axis.x(to), this.y(wall.value));
       }
       context.stroke();
     };

@@ -92,7 +92,7 @@ function drawShapes(context, shapes, colour, { width = 1.2, alpha = 1, dash = []
   for (const shape of shapes) {
     context.globalAlpha = alpha * (shape.faint ? 0.6 : 1);
     context.lineWidth = width;
-    context.setLineDash(shape.faint ? [2, 4] : dash);
+    context.setLineDash(shape.faint ? [2, 4] : shape.wall && dash.length === 0 ? [7, 4] : dash);
     if (shape.centre) {
       if (!(shape.radius < LARGEST_RADIUS)) continue;
       context.beginPath();

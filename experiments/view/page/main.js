@@ -302,7 +302,9 @@ class App {
         const count = counted(proof.live.size, "certificate");
         entry("proof", this.mode === "plane" && !this.showsAll() ? count + " (C draws all)" : count);
       }
-      entry("next", proof.next(this.k) === null ? "fails next: none of these" : "fails next");
+      const next = proof.next(this.k), { drawing } = this;
+      if (next === null) entry("next", "fails next: none of these");
+      else if (drawing.isThere === undefined || drawing.isThere(next[0])) entry("next", "fails next");
       if (this.selected !== null) entry("selected", "selected");
     }
     if (!BODIES && this.k > BEFORE) {

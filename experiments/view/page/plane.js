@@ -71,6 +71,7 @@ class Plane {
     return [...lines.map(line => this.across(line)), ...threads, ...points.map(id => ({ dot: this.at(id) }))];
   }
   shapesOf(claim) {
+    if (claim.ids.some(id => id >= OBJECTS)) return claimOfWalls(this, claim.ids);
     return claim.ids.some(id => IS_LINE[id]) ? this.linesOf(claim.ids) : shapesOf(claim, this);
   }
   drawLines(context, marked) {
@@ -313,9 +314,9 @@ class Plane {
       drawShapes(context, shapes(c).filter(shape => !shape.dot), COLOUR.proof, { width: 0.9, alpha });
     }
   }
-  isThere(c) {
-    return this.app.proof.certificate(c).ids.every(id => id < OBJECTS && alive[id]);
-  }
+  // Whether a certificate is drawn: of objects that are there, and walls.
+  isThere(c) { return this.areThere(this.app.proof.certificate(c).ids); }
+  areThere(ids) { return ids.every(id => (id < OBJECTS ? alive[id] === 1 : wallOf(id) !== null)); }
   // Chains of a group: a hull, the winners to come; and those of its children in its tree.
   drawMarks(context, group) {
     const { proof } = this.app;
@@ -344,7 +345,7 @@ class Plane {
   // The roles of the points of a certificate beside them.
   drawRoles(context, { form, ids }) {
     form.roles.forEach(({ name }, i) => {
-      const [x, y] = this.at(ids[i]);
+      const wall = wallOf(ids[i]), [x, y] = wall === null ? this.at(ids[i]) : wallNameAt(this, wall);
       this.places.label(context, name, x, y + 2, COLOUR.selected, true);
     });
   }
@@ -354,7 +355,7 @@ class Plane {
     const { app } = this;
     if (marked.length === 0) return;
     const failed = app.failedClaim();
-    if (failed !== null && failed.ids.every(id => id < OBJECTS && alive[id])) {
+    if (failed !== null && this.areThere(failed.ids)) {
       drawShapes(context, this.shapesOf(failed), COLOUR.failed, { dash: [2, 3] });
     }
     if (app.replay.tuples === null || app.shown() !== app.eventStructure()) return;
@@ -366,20 +367,38 @@ class Plane {
 
   drawNames(context, marked) {
     const [left, top, width, height] = this.rectangle;
-    const named = new Set(marked);
-    if (OBJECTS <= 60) for (let object = 0; object < OBJECTS; ++object) named.add(object);
-    if (this.app.replay.shape === "object") this.app.replay.ids.forEach(id => named.add(id));
-    if (this.app.hovered !== null) named.add(this.app.hovered);
-    const there = [...named].filter(object => {
+    const isInSight = object => {
       const [x, y] = this.nameAt(object);
       return alive[object] && x >= left && y >= top && x <= left + width && y <= top + height;
-    });
-    for (const object of there) this.places.around(...this.nameAt(object), 3);
-    const asked = object => object === this.app.hovered || marked.includes(object);
-    for (const object of [...there.filter(asked), ...there.filter(object => !asked(object))]) {
-      const colour = marked.includes(object) ? COLOUR.failed : COLOUR.text;
+    };
+    const inSight = [...alive.keys()].filter(isInSight), tones = this.tonesOfNames(marked);
+    const { replay, hovered } = this.app;
+    const named = new Set(inSight.length <= 60 ? inSight : [...tones.keys()].filter(isInSight));
+    if (replay.shape === "object") replay.ids.filter(isInSight).forEach(id => named.add(id));
+    for (const object of named) this.places.around(...this.nameAt(object), 3);
+    for (const [id, colour] of tones) {
+      const wall = wallOf(id);
+      if (wall !== null) this.places.label(context, nameOf(id), ...wallNameAt(this, wall), colour, true);
+    }
+    const asked = object => tones.has(object);
+    for (const object of [...[...named].filter(asked), ...[...named].filter(object => !asked(object))]) {
+      const colour = object !== hovered && tones.get(object) || COLOUR.text;
       this.places.label(context, nameOf(object), ...this.nameAt(object), colour, asked(object));
     }
+  }
+  // What must be named, with the tones of the names: what the last log record is about, the certificate that fails next and the one
+  // that is selected.
+  tonesOfNames(marked) {
+    const { proof, replay, selected, hovered, k } = this.app, tones = new Map();
+    const add = (ids, colour) => ids.forEach(id => { if (!tones.has(id)) tones.set(id, colour); });
+    add(marked, COLOUR.failed);
+    if (proof !== null && !replay.lost) {
+      const next = proof.next(k);
+      if (selected !== null && proof.live.has(selected)) add(proof.certificate(selected).ids, COLOUR.selected);
+      if (next !== null && this.isThere(next[0])) add(proof.certificate(next[0]).ids, COLOUR.next);
+    }
+    if (hovered !== null) add([hovered], COLOUR.text);
+    return tones;
   }
   // Where an object is named: a line in the middle of the picture, or where it comes into it.
   nameAt(object) {
