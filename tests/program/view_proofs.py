@@ -84,7 +84,7 @@ async function answer() {
           most = Math.max(most, inkOf("selected") - before);
           const text = document.getElementById("proof").innerText;
           const claim = app.proof.certificate(c);
-          const missing = [claim.name, claim.role, ...claim.form.roles.map(role => role.name)]
+          const missing = [claim.name.split("/")[0], claim.role, ...claim.form.roles.map(role => role.name)]
             .filter(word => !text.includes(word));
           if (missing.length > 0) found.missing = [missing, text];
         }

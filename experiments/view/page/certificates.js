@@ -80,14 +80,14 @@ function certificateDetails(proof, c, k) {
     list.append(make("dt", name), value);
   };
   row("says", sentence(claim.form, claim.ids));
-  const predicate = make("span", claim.name, "kind");
+  const predicate = make("span", shortPredicate(claim.name), "kind");
   predicate.title = claim.text;
   row("predicate", predicate);
-  claim.form.roles.forEach((role, i) => {
-    const name = make("span", shortName(nameOf(claim.ids[i])));
-    name.title = nameOf(claim.ids[i]);
-    row(role.name, name);
-  });
+  for (const [role, object] of rolesOf(proof.run, claim)) {
+    const name = make("span", shortName(nameOf(object)));
+    name.title = nameOf(object);
+    row(role, name);
+  }
   if (group !== null) {
     row("group", groupName(group) + (group.text ? ": " + group.text : ""));
     if (claim.role) row("as", claim.role);

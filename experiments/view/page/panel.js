@@ -179,8 +179,12 @@ class Panel {
     }
   }
 
-  certificateText(run, certificate) {
-    return run.predicates[certificate[0]] + "(" + listOf(certificate[1]) + ") \u2265 0 fails";
+  // With an object in each place, also where it stands in several.
+  certificateText(run, [predicate, ids]) {
+    const name = run.predicates[predicate], claim = { name, form: formOf(run, predicate), ids };
+    const text = make("span", shortPredicate(name) + "(" + listOf(rolesOf(run, claim).map(([, object]) => object)) + ") \u2265 0 fails");
+    text.title = name + "(" + listOf(ids) + ")";
+    return text;
   }
 
   describeInstant(run, k, e, row) {

@@ -19,6 +19,16 @@ function formOf(run, predicate) {
            places: places.length === 0 ? null : places,
            roles: roles.map(([name, kind, frame]) => ({ name, kind, frame })) };
 }
+// A predicate some of whose arguments are one object is named with the object of each argument, "gap/0121": the name without these.
+const shortPredicate = name => name.split("/")[0];
+// The role of every argument of the whole predicate and who has it: [role, object]. Where the whole predicate is not known, the first
+// role of each object.
+function rolesOf(run, { name, form, ids }) {
+  const whole = form.places === null || !name.includes("/") ? -1
+    : run.predicates.findIndex((other, i) => other === shortPredicate(name) && run.forms[i][4].length === form.places.length);
+  return whole < 0 ? form.roles.map((role, i) => [role.name, ids[i]])
+                   : form.places.map((object, place) => [run.forms[whole][4][place][0], ids[object]]);
+}
 const claimKey = (predicate, ids) => predicate + ":" + ids.join();
 const shortName = name =>
   (name.length <= 30 ? name : name.slice(0, 12) + "\u2026" + name.slice(-8));
