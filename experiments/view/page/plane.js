@@ -74,14 +74,8 @@ class Plane {
     if (claim.ids.some(id => id >= OBJECTS)) return claimOfWalls(this, claim.ids);
     return claim.ids.some(id => IS_LINE[id]) ? this.linesOf(claim.ids) : shapesOf(claim, this);
   }
-  drawLines(context, marked) {
-    const line = (object, colour, width) => drawShapes(context, [this.across(object)], colour, { width });
-    for (let object = 0; object < OBJECTS; ++object) {
-      if (alive[object] && IS_LINE[object]) line(object, COLOUR.point, OBJECTS > 300 ? 0.5 : 1);
-    }
-    for (const object of marked) {
-      if (alive[object] && IS_LINE[object]) line(object, COLOUR.failed, 1.6);
-    }
+  drawLines(context) {
+    drawShapes(context, linesThere().map(line => this.across(line)), COLOUR.point, { width: OBJECTS > 300 ? 0.5 : 1 });
   }
   at(id) { return [this.sx[id], this.sy[id]]; }
   positionOf(id) { return DRAWN.map(axis => X[axis][id]); }
@@ -111,11 +105,13 @@ class Plane {
     context.clip();
     this.drawAxes(context);
     this.drawExtents(context, marked);
-    this.drawLines(context, marked);
+    this.drawLines(context);
     this.drawAttribute(context);
-    this.drawProof(context);
+    this.drawCertificates(context);
     drawQuery(context, this);
     this.drawChange(context, marked);
+    this.drawDots(context);
+    this.drawChosen(context);
     const radius = OBJECTS > 2000 ? 1.5 : OBJECTS > 300 ? 2.2 : 3.4;
     drawMarks(context, this, radius);
     for (const object of marked) {
@@ -201,6 +197,14 @@ class Plane {
     if (closed) context.closePath();
   }
 
+  // The rings of an attribute that is drawn as a figure, again on top of lines.
+  drawDots(context) {
+    const { replay } = this.app, outlineOf = OUTLINES[DATA.structures[this.app.shown()].role];
+    if (outlineOf === undefined || replay.lost || !IS_LINE.includes(1)) return;
+    const dots = outlineOf(this, replay.row).filter(shape => shape.dot);
+    drawShapes(context, dots, COLOUR.first, { width: 2 });
+  }
+
   drawAttribute(context) {
     const { replay, other } = this.app;
     const structure = DATA.structures[this.app.shown()];
@@ -270,18 +274,11 @@ class Plane {
     if (both && other.ids[0] !== replay.ids[0]) ring(other.ids, COLOUR.second, 12);
   }
 
-  // The certificates: all of them faintly if there are few, or if that is asked for; what fails
-  // next, and the one that is selected.
-  drawProof(context) {
+  // All certificates faintly if there are few, or if that is asked for; the group of the one that is selected.
+  drawCertificates(context) {
     const { app } = this, { proof } = app;
     if (app.replay.lost || proof === null) return;
-    this.shapes = new Map();
-    const shapes = c => {
-      if (!this.shapes.has(c)) {
-        this.shapes.set(c, this.shapesOf(proof.certificate(c)));
-      }
-      return this.shapes.get(c);
-    };
+    const shapes = c => this.shapesOf(proof.certificate(c));
     if (app.showsAll()) {
       const alpha = proof.live.size > 400 ? 0.2 : proof.live.size > 80 ? 0.35 : 0.6;
       this.drawAll(context, proof.live, shapes, alpha);
@@ -296,17 +293,20 @@ class Plane {
                    COLOUR.selected, { width: 3.5 });
       }
     }
-    const next = proof.next(app.k);
-    if (next !== null && this.isThere(next[0])) {
-      // Segments on a patch of background: they may lie on edges of the attribute.
-      drawShapes(context, shapes(next[0]).filter(shape => shape.from && !shape.faint), COLOUR.back, { width: 5 });
-      drawShapes(context, shapes(next[0]), COLOUR.next, { width: 2.2, dash: [7, 4] });
-    }
-    const selected = app.selected;
-    if (selected !== null && proof.live.has(selected) && this.isThere(selected)) {
-      drawShapes(context, shapes(selected), COLOUR.selected, { width: 2.6 });
-      this.drawRoles(context, proof.certificate(selected));
-    }
+  }
+  // What fails next, if it is drawn.
+  nextShapes() {
+    const { app } = this, { proof } = app;
+    const next = app.replay.lost || proof === null ? null : proof.next(app.k);
+    return next !== null && this.isThere(next[0]) ? this.shapesOf(proof.certificate(next[0])) : [];
+  }
+  // What fails next and what is selected, on top.
+  drawChosen(context) {
+    const { app } = this, { proof, selected } = app;
+    drawShapes(context, this.nextShapes(), COLOUR.next, { width: 2.2, dash: [7, 4] });
+    if (app.replay.lost || proof === null || selected === null || !proof.live.has(selected) || !this.isThere(selected)) return;
+    drawShapes(context, this.shapesOf(proof.certificate(selected)), COLOUR.selected, { width: 2.6 });
+    this.drawRoles(context, proof.certificate(selected));
   }
   drawAll(context, certificates, shapes, alpha) {
     for (const c of certificates) {
@@ -353,6 +353,12 @@ class Plane {
   // The last event: what it took away and what it put there, and the certificate that failed.
   drawChange(context, marked) {
     const { app } = this;
+    // A patch of background under what fails next: it may lie on edges of the attribute. Where it is of the last event, too, both are seen.
+    drawShapes(context, this.nextShapes().filter(shape => shape.from && !shape.faint), COLOUR.back, { width: 5 });
+    const { proof, k } = app, next = this.nextShapes().length > 0 ? proof.certificate(proof.next(k)[0]).ids : [];
+    for (const line of marked.filter(object => alive[object] && IS_LINE[object])) {
+      drawShapes(context, [this.across(line)], COLOUR.failed, { width: next.includes(line) ? 5 : 1.6 });
+    }
     if (marked.length === 0) return;
     const failed = app.failedClaim();
     if (failed !== null && this.areThere(failed.ids)) {
