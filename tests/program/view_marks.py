@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pages of `kinex view`: Voronoi cells, colours, queries, frames of lines, records that report, curves with names,
-walls of grids, what is named.
+walls of grids, what is named, lines of a record, roles, frames of pairs.
 
 usage: view_marks.py PROGRAM SOURCE_FOLDER
 Exit code 77 (skipped) where there is no Chromium.
@@ -195,6 +195,63 @@ def check_names(viewer):
             fail(f"many, record {k}: of {seen['ids']} only {seen['named']} are named")
 
 
+def check_marked_lines(viewer):
+    """Lines of the last record are red, whatever certificates lie on them, and rings are on top of lines."""
+    look(viewer, "arrangement", ["random-lines", "--n", "8", "--maintain", "line_arrangement_2"])
+    seen = 0
+    for k in range(1, 80, 3):
+        drawn = viewer.ask(
+            "(() => { const last = {}, shapes = drawShapes; let order = 0, rings = 0;"
+            " drawShapes = (c, list, colour, ...more) => { ++order; for (const s of list) {"
+            " if (s.dot) rings = order; else if (s.from) last[s.from] = [colour, order]; } shapes(c, list, colour, ...more); };"
+            f" app.setEvent({k}); app.draw(); drawShapes = shapes; const next = app.proof.next({k});"
+            " return app.certificateObjects().map(id => [nameOf(id), last[app.plane.across(id).from], rings, COLOUR.failed,"
+            " next !== null && app.proof.certificate(next[0]).ids.includes(id)]); })()")
+        for name, (colour, order), rings, red, fails_next in drawn:
+            if not fails_next and (colour != red or order > rings):
+                fail(f"record {k}: {name} is {colour}, drawn at {order}, rings at {rings}")
+            seen += not fails_next
+    if seen < 20:
+        fail(f"only {seen} lines are of the last record alone")
+
+
+def check_roles(viewer):
+    """An object that stands in several places of a certificate has a row for each of them."""
+    look(viewer, "gaps", ["gaps-along-row", "--n", "4", "--m", "4"])
+    shared = 0
+    for k in range(viewer.ask("LAST")):
+        seen = viewer.ask(
+            f"(() => {{ app.setEvent({k}); app.draw(); const next = app.proof.next({k}); if (next === null) return null;"
+            " const { name, form, ids } = app.proof.certificate(next[0]); return [name, form.says, ids.map(nameOf),"
+            " [...document.querySelectorAll('#proof .details dt')].map(dt => [dt.textContent, dt.nextSibling.textContent])]; })()")
+        if seen is None or "/" not in seen[0]:
+            continue
+        name, pattern = seen[0].split("/")
+        rows = [row for row in seen[3] if "pair, " in row[0]]
+        wanted = [[f"{pair} pair, {disc} disc", seen[2][int(place)]] for place, (pair, disc) in
+                  zip(pattern, (("first", "one"), ("first", "other"), ("second", "one"), ("second", "other")))]
+        if rows != wanted or ["predicate", name] not in seen[3]:
+            fail(f"record {k}: the rows of {seen[:3]} are {seen[3]}")
+        shared += 1
+    if shared < 5:
+        fail(f"only {shared} certificates have an object in two places")
+
+
+def check_frame(viewer):
+    """The circle of a closest pair at the edge of the scene is in sight."""
+    pair = {"kinex": 1, "name": "pair", "dimension": 2, "time": {"start": 0, "end": 4}, "maintain": ["closest_pair_delaunay"],
+            "objects": [{"id": "a", "motion": [[0], [0]]}, {"id": "b", "motion": [[0], [10, 1]]},
+                        {"id": "c", "motion": [[40, -1], [5]]}, {"id": "d", "motion": [[70], [1]]}]}
+    look(viewer, "pair", pair)
+    for u in (0, 0.3, 0.7, 1):
+        (x, y), radius, (left, top, wide, high) = viewer.ask(
+            "(() => { app.setStructure(DATA.structures.findIndex(s => s.role === 'diameter'));"
+            f" app.setTime({u}); app.draw(); const [around] = OUTLINES.diameter(app.plane, app.replay.row);"
+            " return [around.centre, around.radius, app.plane.rectangle]; })()")
+        if not (left < x - radius and x + radius < left + wide and top < y - radius and y + radius < top + high) or radius < 20:
+            fail(f"at {u} the circle about {x}, {y} of radius {radius} is cut off")
+
+
 def main():
     browser()
     sys.path.insert(0, str(pathlib.Path(sys.argv[2]) / "experiments" / "view"))
@@ -202,7 +259,7 @@ def main():
     with tempfile.TemporaryDirectory() as name, devtools.Browser(1400, 950) as window:
         viewer = Viewer(sys.argv[1], name, window)
         for check in (check_cell, check_colours, check_lines, check_reports, check_curves,
-                      check_walls, check_names):
+                      check_walls, check_names, check_marked_lines, check_roles, check_frame):
             check(viewer)
     print("cells, colours, lines, reports and curves are as they should be")
 

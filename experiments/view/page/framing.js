@@ -100,6 +100,30 @@ function growByCrossings(box, lines, most) {
   }));
 }
 
+// ---- structures that draw more around a pair than the pair: by role the centre of that, and how far it reaches on every axis.
+const AROUND_PAIRS = {
+  diameter: (p, q) => [p.map((x, axis) => (x + q[axis]) / 2), Math.hypot(...minus(q, p)) / 2],
+  square: (p, q) => [p, Math.max(...minus(q, p).map(Math.abs))],
+};
+function growByPair(box, role, pair, u) {
+  const pieces = pair.map(object => pieceAt(object, u));
+  if (pair.length < 2 || pieces.includes(null)) return;
+  const [centre, half] = AROUND_PAIRS[role](...pieces.map(piece => DRAWN.map(axis => evaluate(piece[2][axis], u))));
+  for (const side of [-half, half]) joinTo(box, centre.map(x => x + side));
+}
+// In the whole run: of each pair at the ends and within the time for which it is the value.
+const BOXES_OF_PAIRS = new Map();
+function boxOfPairs(index) {
+  const { role } = DATA.structures[index];
+  if (BOXES_OF_PAIRS.has(index)) return BOXES_OF_PAIRS.get(index);
+  const box = emptyBox(), spans = AROUND_PAIRS[role] === undefined ? [] : spansOf(FIRST, index, 0, 1);
+  for (const [pair, from, to] of spans) {
+    for (let i = 0; i <= 4; ++i) growByPair(box, role, pair, from + (i < 4 ? i / 4 : 1 - 1e-9) * (to - from));
+  }
+  BOXES_OF_PAIRS.set(index, box);
+  return box;
+}
+
 // The box of the whole run.
 const WHOLE_RUN = (() => {
   const box = emptyBox(), crossings = [], feet = [], steps = 16;
@@ -124,12 +148,17 @@ function boxOfNow() {
   return boxOfLines(box, crossings, feet);
 }
 // That of the whole run if it is not much larger than what is there now, else one that slides with the points; with lines those of
-// the last log record and their crossings, too.
-function boxToShow(marked) {
+// the last log record and their crossings, too; with pairs what the structure draws around them.
+function boxToShow(marked, index, replay) {
   const now = boxOfNow(), lines = IS_LINE.includes(1);
   const larger = lines ? Math.max(...DRAWN.map(axis => lengthOf(WHOLE_RUN, axis) / lengthOf(now, axis))) / 10
                        : sizeOfBox(WHOLE_RUN) / (1.8 * sizeOfBox(now));
-  const box = larger <= 1 || !(now[0] <= now[1]) ? [...WHOLE_RUN] : now;
+  const isWhole = larger <= 1 || !(now[0] <= now[1]), box = isWhole ? [...WHOLE_RUN] : now;
+  const { role } = DATA.structures[index];
+  if (AROUND_PAIRS[role] !== undefined && !replay.lost) {
+    if (isWhole) [0, 1].forEach(end => joinTo(box, DRAWN.map(axis => boxOfPairs(index)[2 * axis + end])));
+    else growByPair(box, role, replay.row, placedAt);
+  }
   if (!lines) return box;
   const shown = marked.filter(object => alive[object] && IS_LINE[object]);
   growByLines(box, linesThere(), 2);

@@ -14,7 +14,7 @@ class Plane {
 
   // Screen coordinates of all objects, in this.sx and this.sy; in space how near they are, in this.sz.
   project([left, top, width, height]) {
-    const box = this.box = boxToShow(this.app.certificateObjects()), [x0, x1, y0, y1] = box;
+    const box = this.box = boxToShow(this.app.certificateObjects(), this.app.shown(), this.app.replay), [x0, x1, y0, y1] = box;
     const room = Math.min(40, width / 8, height / 8);
     this.places = new Places([left, top, left + width, top + height]);
     this.steep = this.steepness(width - 2 * room, height - 2 * room);
