@@ -252,6 +252,25 @@ def check_frame(viewer):
             fail(f"at {u} the circle about {x}, {y} of radius {radius} is cut off")
 
 
+def check_feature_names(viewer):
+    """Names of the features of two bodies cover no feature and no other name, and no leader runs through one."""
+    look(viewer, "near", ["polygon-spin-orbit", "--n", "24", "--m", "24", "--separation", "1/10", "--maintain", "separation_mixed"])
+    names = 0
+    for k in range(1, viewer.ask("LAST"), 3):
+        placed = viewer.ask(f"(app.setEvent({k}), app.draw(), app.drawing.placed)")
+        for one in placed:
+            left, top, right, bottom = one["box"]
+            for other in placed:
+                (x, y), (l, t, r, b) = other["where"], other["box"]
+                on = left < x < right and top < y < bottom
+                led = other is not one and other["end"] and viewer.ask(f"passes({[x, y]}, {other['end']}, {one['box']})")
+                if on or led or (other is not one and left < r and l < right and top < b and t < bottom):
+                    fail(f"record {k}: {one['text']} lies on {other['text']}, or on its leader")
+            names += 1
+    if names < 60:
+        fail(f"only {names} features are named")
+
+
 def main():
     browser()
     sys.path.insert(0, str(pathlib.Path(sys.argv[2]) / "experiments" / "view"))
@@ -259,7 +278,8 @@ def main():
     with tempfile.TemporaryDirectory() as name, devtools.Browser(1400, 950) as window:
         viewer = Viewer(sys.argv[1], name, window)
         for check in (check_cell, check_colours, check_lines, check_reports, check_curves,
-                      check_walls, check_names, check_marked_lines, check_roles, check_frame):
+                      check_walls, check_names, check_marked_lines, check_roles, check_frame,
+                      check_feature_names):
             check(viewer)
     print("cells, colours, lines, reports and curves are as they should be")
 

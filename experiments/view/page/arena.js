@@ -310,6 +310,7 @@ class Arena {
   // Away from the bodies; where these are close to each other, to the sides of the gap between them,
   // those of the first body on one side and those of the second one on the other.
   drawFeatureNames(context, pair) {
+    this.placed = [];
     if (this.labels.length === 0) return;
     const [left, top, width, height] = this.frame.rectangle;
     const middles = pair.map(body => middleOf(this.outlines[body]));
@@ -317,6 +318,7 @@ class Arena {
     const size = Math.hypot(...across) || 1;
     const narrow = !this.overlap && this.labels.some(p => p.z === 0 && this.labels.some(q => q.z === 1 &&
       Math.hypot(p.where[0] - q.where[0], p.where[1] - q.where[1]) < 90));
+    for (const { where } of this.labels) this.places.around(...where, 4);
     for (const { z, feature, where, numbers, colour } of this.labels) {
       const away = Math.hypot(where[0] - middles[z][0], where[1] - middles[z][1]) || 1;
       const side = (z === 0 ? 1 : -1) / size;
@@ -328,19 +330,24 @@ class Arena {
       let align = d[0] > 12 ? "left" : d[0] < -12 ? "right" : "center";
       const room = context.measureText(text).width + 4;
       const before = how => (how === "left" ? 2 : how === "right" ? room : room / 2);
-      x = Math.max(left + before(align), Math.min(left + width - (room + 2 - before(align)), x));
+      const within = (at, how) => Math.max(left + before(how), Math.min(left + width - (room + 2 - before(how)), at));
+      const boxAt = (at, level, how) => [at - before(how), level - 7, at - before(how) + room, level + 7];
       y = Math.max(top + 10, Math.min(top + height - 10, y));
-      // Up or down from there, or at the other side of its line, where it covers and crosses least.
-      const boxAt = (at, how) => [x - before(how), at - 7, x - before(how) + room, at + 7], step = d[1] > 0 ? 15 : -15;
-      const sides = narrow && align !== "center" ? [align, align === "left" ? "right" : "left"] : [align];
-      const tries = [0, 1, 2, 3, 4, 5, 6, -1, -2, -3, -4, -5, -6].map(i => y + i * step);
-      let least = Infinity;
-      for (const [at, how] of tries.flatMap(at => sides.map(how => [at, how]))) {
-        const covered = this.places.covered(boxAt(at, how)) + (narrow ? this.places.crossed(where, [x, at]) : 0);
-        if (covered < least) [least, y, align] = [covered, at, how];
-        if (covered === 0) break;
+      // Up or down from there, beside it or at the other side of its line, where it covers and crosses least.
+      const step = d[1] > 0 ? 15 : -15, beside = [14, 50, 90].flatMap(shift => [[shift, "left"], [-shift, "right"]]);
+      const sides = !narrow ? [[0, align]] : align === "center" ? [[0, align], ...beside]
+                  : [[0, align], [0, align === "left" ? "right" : "left"]];
+      const tries = [0, 1, 2, 3, 4, 5, 6, -1, -2, -3, -4, -5, -6].flatMap(i => sides.map(side => [y + i * step, ...side]));
+      let least = Infinity, chosen = null;
+      for (const [level, shift, how] of tries) {
+        const at = within(x + shift, how);
+        const covered = this.places.covered(boxAt(at, level, how)) + (narrow ? this.places.crossed(where, [at, level]) : 0);
+        if (covered < least) [least, chosen] = [covered, [at, level, how]];
+        if (covered <= (narrow ? 1 : 0)) break;  // a leader begins in the place of its own feature
       }
-      this.places.take(boxAt(y, align));
+      [x, y, align] = chosen;
+      this.placed.push({ text, where, end: narrow ? [x, y] : null, box: boxAt(x, y, align) });
+      this.places.take(boxAt(x, y, align));
       if (narrow) {
         this.places.takeLine(where, [x, y]);
         trace(context, [where, [x, y]], false);
