@@ -319,7 +319,10 @@ class Arena {
     const narrow = !this.overlap && this.labels.some(p => p.z === 0 && this.labels.some(q => q.z === 1 &&
       Math.hypot(p.where[0] - q.where[0], p.where[1] - q.where[1]) < 90));
     for (const { where } of this.labels) this.places.around(...where, 4);
-    for (const { z, feature, where, numbers, colour } of this.labels) {
+    // Those whose labels go farthest come first: their leaders have the way free.
+    const ahead = ({ z, where }) => (z === 0 ? 1 : -1) * dotProduct(where, across);
+    const order = narrow ? [...this.labels].sort((p, q) => ahead(q) - ahead(p)) : this.labels;
+    for (const { z, feature, where, numbers, colour } of order) {
       const away = Math.hypot(where[0] - middles[z][0], where[1] - middles[z][1]) || 1;
       const side = (z === 0 ? 1 : -1) / size;
       const d = narrow ? across.map(c => c * side * 64)
