@@ -11,6 +11,7 @@
 
 namespace kinex {
 
+// Numbers of so many characters are shown whole.
 inline constexpr std::size_t kLongestShownNumber = 40;
 
 // A number as it was written: "1e99999", and cut after 40 characters "7777... (50000 characters)".
