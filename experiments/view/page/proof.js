@@ -21,8 +21,8 @@ function formOf(run, predicate) {
 }
 // A predicate some of whose arguments are one object is named with the object of each argument, "gap/0121": the name without these.
 const shortPredicate = name => name.split("/")[0];
-// The role of every argument of the whole predicate and who has it: [role, object]. Where the whole predicate is not known, the first
-// role of each object.
+// [role, object] for every argument of the predicate that "gap_product/0121" is a form of. A run that does not name that predicate
+// tells the first role of each object.
 function rolesOf(run, { name, form, ids }) {
   const whole = form.places === null || !name.includes("/") ? -1
     : run.predicates.findIndex((other, i) => other === shortPredicate(name) && run.forms[i][4].length === form.places.length);
