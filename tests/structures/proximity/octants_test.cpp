@@ -279,6 +279,26 @@ TEST(Octants, PointsThatComeAndGoOnALattice) {
   }
 }
 
+// Points that stand still come and go: every pointer is right at once, so that no certificate fails.
+TEST(Octants, NothingFailsWherePointsStandStill) {
+  for (std::uint64_t seed = 1; seed <= fewer(std::uint64_t{60}); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    std::vector<Trajectory> t;
+    for (std::uint64_t i = 0; i < 4 + seed % 12; ++i) t.push_back(random.small_path(2, 0, 4));
+    Scene scene = scene_of(t, 0, Rational(9));
+    for (SceneObject& object : scene.objects) {
+      MotionPiece& piece = object.motion.pieces[0];
+      const int from = random.between(0, 4);
+      if (random.chance(50)) piece.from = Rational(from);
+      if (random.chance(50)) piece.to = Rational(from + random.between(1, 4));
+    }
+    const TwinRun run(scene, octants());
+    const TwinRun cones(scene, {ask("cones_local")});
+    EXPECT_EQ(run.ledger(0).failures + run.ledger(1).failures + cones.ledger().failures, 0u);
+  }
+}
+
 // A point in the middle of 40 others has more neighbours than are compared one by one.
 TEST(Octants, APointOfManyNeighboursComesAndGoes) {
   std::vector<Trajectory> t;
