@@ -61,8 +61,8 @@ class Instant:
     def from_log(cls, time):
         """From the "time" of a record. Raises ValueError where the log does not name instants."""
         if "polynomial" not in time:
-            raise ValueError("the log does not name its instants; run kinex in an exact arithmetic, "
-                             "with --instants names (the default)")
+            raise ValueError("the log does not name its instants; run kinex with --instants names (the default), "
+                             "in an exact arithmetic")
         return cls(time["polynomial"], time["root"], *time["interval"])
 
     @property

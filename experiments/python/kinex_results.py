@@ -14,6 +14,7 @@ Counts are int, exact numbers Fraction, seconds float.
 """
 import json
 import math
+import re
 import sqlite3
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -27,7 +28,24 @@ class ResultsError(Exception):
     """A file that cannot be used: "FILE: PROBLEM; REMEDY"."""
 
 
-exact = Fraction  # of a number as kinex writes it: "-7", "1/3", "0.25", "1e-9"
+def exact(text):
+    """A number as kinex writes or reads it, as a Fraction: "-7", "1/3", "0.25", "1e-9", "0x1.8p+3"."""
+    try:
+        if isinstance(text, str) and re.fullmatch(r"\s*[+-]?0[xX].*", text):
+            return _hexadecimal(text)
+        return Fraction(text)
+    except (ValueError, ZeroDivisionError, TypeError) as error:
+        raise ResultsError(f"{text!r} is no number; write it as -7, 1/3, 0.25, 1e-9 or 0x1.8p+3") from error
+
+
+def _hexadecimal(text):
+    """Of any size: float.fromhex would round."""
+    parts = re.fullmatch(r"\s*([+-]?)0[xX]([0-9a-fA-F]*)\.?([0-9a-fA-F]*)(?:[pP]([+-]?[0-9]+))?\s*", text)
+    if parts is None or not parts[2] + parts[3]:
+        raise ValueError
+    sign, whole, after, power = parts.groups()
+    size = int(whole + after, 16) * Fraction(2) ** (int(power or 0) - 4 * len(after))
+    return -size if sign == "-" else size
 
 
 # ---- what files hold -----------------------------------------------------------------------------
@@ -105,6 +123,9 @@ class Log:
 
 # ---- runs and counters ----------------------------------------------------------------------------
 
+_FILES_OF_RUNS = "give verify.sqlite, a merged sweep, a summary of kinex run or runs.jsonl of kinex reproduce"
+
+
 def runs(path):
     """All runs of a file: verify.sqlite, the database of kinex sweep merge, a summary of kinex run
     (one Run for each structure), or the runs.jsonl of kinex reproduce."""
@@ -118,9 +139,10 @@ def runs(path):
         if text.startswith('{"kinex-runs"') or path.suffix == ".jsonl":
             return _runs_of_lines(path, text)
         return _runs_of_summary(path, json.loads(text))
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise ResultsError(f"{path}: it holds no runs ({error}); give verify.sqlite, a merged sweep, a "
-                           "summary of kinex run or runs.jsonl of kinex reproduce") from error
+    except KeyError as error:
+        raise ResultsError(f"{path}: it holds no runs (it has no member {error}); {_FILES_OF_RUNS}") from error
+    except (ValueError, TypeError, AttributeError) as error:
+        raise ResultsError(f"{path}: it holds no runs ({error}); {_FILES_OF_RUNS}") from error
 
 
 def counters(path, name):
@@ -232,7 +254,11 @@ def _runs_of_summary(path, summary):
         names = ("processed", "external", "internal", "failures", "rebuilds", "simultaneous_groups")
         counts = {name: one[name] for name in names if name in one}
         counts.update({"kind." + kind: value for kind, value in one.get("by_kind", {}).items()})
-        largest = {name: value for name, value in one.get("certificates", {}).items() if isinstance(value, int)}
+        certificates = one.get("certificates", {})
+        counts.update({"certificates_" + name: certificates[name] for name in ("created", "retracted") if name in certificates})
+        largest = {name: certificates[key] for name, key in (("certificates_live", "max_live"),
+                                                             ("certificates_per_object", "max_per_object"),
+                                                             ) if key in certificates}
         bounds = [Bound(b["id"], int(b["bound"]), int(b["observed"]), b["holds"], b.get("source", ""))
                   for b in one.get("bounds", [])]
         seconds = summary.get("seconds", {}).get("structures", {}).get(label)
@@ -259,7 +285,8 @@ def _runs_of_lines(path, text):
             parameters["dimension"] = parameters.pop("d")
         counts = {name: record[name] for name in ("processed", "external", "signs") if name in record}
         counts.update({"kind." + kind: value for kind, value in record.get("kinds", {}).items()})
-        largest = {name: record[name] for name in ("max_live", "max_per_object") if name in record}
+        largest = {name: record[key] for name, key in (("certificates_live", "max_live"),
+                                                       ("certificates_per_object", "max_per_object")) if key in record}
         result.append(Run(str(path), structure, workload, parameters, arithmetic="exact",
                           seed=None if seed is None else int(seed), objects=parameters.get("n"),
                           seconds=record.get("seconds"), counters=counts, extremes=largest))
@@ -336,6 +363,9 @@ _STUDENT = (12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.22
 
 def fit_power(points):
     """Through positive (x, y) with two different x or more."""
+    for x, y in points:
+        if not (x > 0 and y > 0):
+            raise ResultsError(f"no power fits the point ({x}, {y}), which has no logarithm; leave it out")
     logs = [(math.log(x), math.log(y)) for x, y in points]
     if len({x for x, _ in logs}) < 2:
         raise ResultsError("a power has to be fitted to two sizes or more; give more runs")

@@ -24,6 +24,7 @@ Outlook ConvexHull2BruteForce::claim(const Query& query, Kind kind) {
 // The point is left of u v, or identically on it between its ends.
 void ConvexHull2BruteForce::claim_inside(ObjectId u, ObjectId v, ObjectId point) {
   if (claim(signs_.left_turn(u, v, point), kInside) != Outlook::kIdenticallyZero) return;
+  signs_.note_tie();  // the bounds on events count triples that are not always on one line
   for (const int axis : {0, 1}) {
     const Sign direction = signs_.order_sign(axis, u, v);
     if (direction == Sign::kZero) continue;

@@ -8,11 +8,12 @@
 //   between a point that is identically on a hull edge is between   coordinate_order, degree d
 //           its ends (two certificates)
 //
-// Quality, for n points: (n - h) h + h certificates. Every failure is a change of the hull (ratio
-// 1), except where hull vertices meet and part again (below). After each failure the static
-// algorithm finds the hull and everything is scheduled anew. New motion of a hull vertex
-// reschedules the certificates of all other points, that of another point only its own. Events,
-// linear motion: at most 2 C(n,3).
+// Quality, for n points: (n - h) h + h certificates, and two more for a point and each hull edge that
+// it is identically on. Every failure is a change of the hull (ratio 1), except where hull vertices
+// meet and part again (below). After each failure the static algorithm finds the hull and everything is
+// scheduled anew. New motion of a hull vertex reschedules the certificates of all other points, that of
+// another point only its own. Events: at most 2d C(n,3), unless three points are identically on one
+// line: these change places where no triple turns.
 //
 // Turns fail at touches, too (core/arithmetic/touch.h): hull vertices that meet and part again can
 // leave every turn to the left, and a hull that winds around twice. Such a failure may change

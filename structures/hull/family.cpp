@@ -79,7 +79,7 @@ StructureFamily hull_family() {
              {"between", Effect::kNever, "two points on one line change places"}});
   brute_force.certificates =
       "(n - h) h + h for h hull vertices: every point inside every hull edge, and "
-      "a left turn at every vertex";
+      "a left turn at every vertex; two more where a point is always on the line of an edge";
   brute_force.make = make_plain<ConvexHull2BruteForce>;
 
   StructureInfo reader = base;

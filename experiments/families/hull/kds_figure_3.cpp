@@ -136,7 +136,7 @@ lab::PaperClaim claim_on_changes(const std::vector<lab::SeriesResult>& results, 
   claim.id = "figure-3.same-changes";
   claim.place = "section 11";
   claim.kind = "finding";
-  claim.statement = "The three methods see the same changes of the hull.";
+  claim.statement = "The three methods see as many changes of the hull.";
   claim.command = command;
   claim.expected = "as many on every scene";
   claim.tolerance = "none";

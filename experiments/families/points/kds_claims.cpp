@@ -260,6 +260,7 @@ lab::PaperClaim agreement_claim(const std::vector<lab::SeriesResult>& results, s
   claim.statement = std::move(statement);
   claim.expected = "as many changes by each, on every scene";
   claim.tolerance = "none";
+  claim.assumptions = {std::string(kAgreementAssumption)};
   keep_small_run(claim, small);
   claim.verdict = !agreement.difference.empty() ? lab::Verdict::kRefuted
                   : agreement.scenes > 0        ? lab::Verdict::kConfirmed

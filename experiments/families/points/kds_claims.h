@@ -78,14 +78,19 @@ lab::PaperClaim growth_claim(const std::vector<lab::FitPoint>& points, const Kds
 lab::PaperClaim open_question(std::string id, std::string question, std::string observed,
                               KdsRuns runs);
 
-// True if all structures have the same changes on every scene: those of equal workload, size and
-// seed.
+// Whether all structures have as many changes on every scene: those of equal workload, size and seed.
 struct KdsAgreement {
   std::size_t scenes = 0;  // that several structures have
   std::string difference;  // the first; empty: none
 };
 KdsAgreement agreement_of(const std::vector<lab::SeriesResult>& results,
                           const std::vector<std::string_view>& structures);
+
+// What agreement_of() does not compare.
+inline constexpr std::string_view kAgreementAssumption =
+    "numbers of changes are compared here; that they are the same changes at the same instants is "
+    "what "
+    "`kinex diff --attributes` and the tests of the structures compare";
 
 // "as many changes by each, on every scene": confirmed if several structures have a scene, and agree on all.
 lab::PaperClaim agreement_claim(const std::vector<lab::SeriesResult>& results, std::string id,

@@ -151,17 +151,20 @@ struct NotLocal {
 };
 constexpr NotLocal kNotLocal[] = {
     {"7.5.local-cones", "closest_pair_cones",
-     "The report's closest pair by cones and sorted lists is local. Ours, closest_pair_cones, is "
-     "not: a point that is next for many others is in a pair with each."},
+     "closest_pair_cones, our closest pair by cones and sorted lists, is not local: a point that "
+     "is "
+     "next for many others is in a pair with each (ours; the report's is local)."},
     {"7.5.local-octants", "closest_pair_local",
-     "The report's closest pair by cones is local. Ours without lists, closest_pair_local, is "
-     "not."},
+     "closest_pair_local, our closest pair by cones without lists, is not local (ours; the "
+     "report's, "
+     "by lists, is)."},
     {"7.8.local", "mst_maximum_norm_list",
-     "The report's tree in a polyhedral metric is local. Ours in the maximum norm, by the order of "
-     "the pairs of octants, is not."},
+     "mst_maximum_norm_list, our tree in a polyhedral metric by the order of the pairs of octants, "
+     "is "
+     "not local (ours; the report's is)."},
     {"7.8.polygon-local", "mst_polygon_list",
-     "The report's approximate Euclidean tree is local. Ours, in the metric of a polygon, by the "
-     "order of the pairs of cones, is not."}};
+     "mst_polygon_list, our approximate Euclidean tree by the order of the pairs of cones, is not "
+     "local (ours; the report's is)."}};
 
 lab::PaperClaim not_local(const lab::StudyResult& result, const NotLocal& what) {
   const std::vector<lab::FitPoint> hub = locality_points(result, what.title, kHub, kLocalityOfOne);

@@ -78,9 +78,10 @@ lab::PartReport kds_section_7_meetings_report(const std::vector<lab::SeriesResul
       means_of(results, kRandomSides, "external"),
       {"7.12.random", "Of random motion, sides change Theta(n^2) times (not in the report).",
        kRandomSides, "changes of sides", 2}));
-  report.claims.push_back(agreement_claim(
-      results, "7.12.same-changes", "A proof by a cutting has the changes of sides of all pairs.",
-      kCuttingSides, {kRandomSides.structure, kCuttingSides.structure}));
+  report.claims.push_back(
+      agreement_claim(results, "7.12.same-changes",
+                      "A proof by a cutting has as many changes of sides as that of all pairs.",
+                      kCuttingSides, {kRandomSides.structure, kCuttingSides.structure}));
   report.claims.push_back(open_question("7.12.proof",
                                         "Sides of n lines and n points have a proof of O(n^(5/3)) "
                                         "certificates, with nearly n^2 events. By a "
@@ -94,11 +95,12 @@ lab::PartReport kds_section_7_meetings_report(const std::vector<lab::SeriesResul
       "a random sample instead of the report's eps-net; runs cannot confirm a bound on all motions",
       "the power without its logarithm; n: lines and points together, half of each"};
   report.claims.push_back(count_claim(
-      results, {"7.14.changes",
-                "The pairs of discs that meet change Theta(n^2) times at worst: each two meet and part "
-                "once.",
-                kFanDiscs, "external", "changes", "n(n - 1), the bound of linear motions",
-                [](double n, double) { return n * (n - 1); }}));
+      results,
+      {"7.14.changes",
+       "The pairs of discs that meet change Theta(n^2) times at worst: each two meet and part "
+       "once (not in the report).",
+       kFanDiscs, "external", "changes", "n(n - 1), the bound of linear motions",
+       [](double n, double) { return n * (n - 1); }}));
   report.claims.push_back(agreement_claim(
       results, "7.14.same-changes",
       "The pairs of discs that meet are maintained by all pairs, by their boxes, and by a grid.",

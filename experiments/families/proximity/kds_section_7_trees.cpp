@@ -3,12 +3,12 @@
 //   the proofs of them have for each change: by the order of all edges, by cycles, by clusters of vertices,
 //   by sparsification? (Guibas 1998, section 7.)
 // Scenes: random motion; pass-along-row, where a tree changes 2nm - 2 times; parallel-edges, where the
-//   tree of a graph of two vertices changes n - 1 times; random graphs of n edges and n/4 vertices; planar
-//   graphs of n edges.
+//   tree of a graph of two vertices changes n - 1 times; random graphs of n edges and n/4 or 16 vertices;
+//   planar graphs of n edges.
 // Expected: the integers, in every run; one event for each change where all edges of a graph are watched
 //   along their paths in the tree. Bounds on all motions, O(n^3) and O(n^(5/2)
 //   alpha(n)) of points, O(n k^(1/3)) of graphs with n edges and k vertices, O(n^(11/6) polylog n) events of
-//   a planar graph, which runs can only contradict.
+//   a planar graph, which runs can only contradict; and O(k n^(1/3)) as the report prints it, which they do.
 // Left out: what a change costs by clusters, kds_section_7_clusters.cpp.
 // Cost: about 4 minutes; --quick: seconds.
 #include <fmt/format.h>
@@ -28,6 +28,7 @@ namespace {
 
 constexpr const char* kTreeUniform = "uniform-square";
 constexpr const char* kTreeRow = "pass-along-row";
+constexpr int kFewVertices = 16;  // no quarter of a number of edges below
 constexpr KdsRuns kList{"emst_list", kTreeUniform}, kCycles{"emst_cycles", kTreeUniform},
     kListRow{"emst_list", kTreeRow}, kCyclesRow{"emst_cycles", kTreeRow},
     kNormList{"mst_maximum_norm_list", kTreeUniform},
@@ -80,13 +81,15 @@ void add_norm_claims(const std::vector<lab::SeriesResult>& results, lab::PartRep
   report.claims.push_back(growth_claim(
       means_of(results, kNormCycles, "external"),
       {"7.8.maximum-norm.random",
-       "The tree in the maximum norm changes O(n^(5/2) alpha(n)) times; of random motion:", kNormCycles,
-       "changes", 2.5, KdsPower::kOnAllMotion}));
+       "The tree in the maximum norm changes O(n^(5/2) alpha(n)) times (not in the report: Katoh, "
+       "Tokuyama and Iwano 1995); of random motion:",
+       kNormCycles, "changes", 2.5, KdsPower::kOnAllMotion}));
   report.claims.push_back(growth_claim(
       means_of(results, kNormRow, "external"),
       {"7.8.maximum-norm.row",
-       "The tree in the maximum norm changes O(n^(5/2) alpha(n)) times; of pass-along-row:", kNormRow,
-       "changes", 2.5, KdsPower::kOnAllMotion}));
+       "The tree in the maximum norm changes O(n^(5/2) alpha(n)) times (not in the report: Katoh, "
+       "Tokuyama and Iwano 1995); of pass-along-row:",
+       kNormRow, "changes", 2.5, KdsPower::kOnAllMotion}));
 }
 
 void add_polygon_claims(const std::vector<lab::SeriesResult>& results, lab::PartReport& report) {
@@ -133,9 +136,11 @@ void add_polygon_claims(const std::vector<lab::SeriesResult>& results, lab::Part
 
 void add_euclidean_claims(const std::vector<lab::SeriesResult>& results, lab::PartReport& report) {
   report.claims.push_back(count_claim(
-      results, {"7.10.lower", "The Euclidean tree changes Omega(n^2) times on linear motions.",
-                kCyclesRow, "external", "changes", "2nm - 2",
-                [](double n, double m) { return 2 * n * m - 2; }}));
+      results,
+      {"7.10.lower",
+       "The Euclidean tree changes Omega(n^2) times on linear motions (not in the report).",
+       kCyclesRow, "external", "changes", "2nm - 2",
+       [](double n, double m) { return 2 * n * m - 2; }}));
   report.claims.push_back(growth_claim(
       means_of(results, kCyclesRow, "external"),
       {"7.10.upper", "The Euclidean tree changes O(n^3) times on linear motions.", kCyclesRow,
@@ -176,11 +181,26 @@ void add_euclidean_claims(const std::vector<lab::SeriesResult>& results, lab::Pa
       kCyclesRow));
 }
 
-void add_graph_claims(const std::vector<lab::SeriesResult>& results, lab::PartReport& report) {
+// `few_vertices`: the runs of random graphs of kFewVertices vertices, which are not among `results`.
+void add_graph_claims(const std::vector<lab::SeriesResult>& results,
+                      const std::vector<lab::SeriesResult>& few_vertices, lab::PartReport& report) {
   report.claims.push_back(count_claim(
-      results, {"7.11.lower", "The tree of a graph with n edges changes Omega(n) times.", kGraphCycles,
-                "external", "changes, of two vertices", "n - 1",
-                [](double n, double) { return n - 1; }}));
+      results,
+      {"7.11.lower", "The tree of a graph with n edges changes Omega(n) times (not in the report).",
+       kGraphCycles, "external", "changes, of two vertices", "n - 1",
+       [](double n, double) { return n - 1; }}));
+  report.claims.push_back(growth_claim(
+      means_of(results, kGraphCycles, "external", 1),
+      {"7.11.as-printed",
+       "The tree of a graph with k vertices and n edges changes O(k n^(1/3)) times; of two "
+       "vertices:",
+       kGraphCycles, "changes", 1.0 / 3, KdsPower::kOnAllMotion}));
+  report.claims.back().counterexample =
+      "n parallel edges between two vertices, each the lightest once: n - 1 changes. The report "
+      "has "
+      "its two letters the wrong way round; 7.11.upper is its bound with the letters exchanged, "
+      "that "
+      "of Dey's technique";
   report.claims.push_back(count_claim(
       results, {"7.11.cycles", "All failures of the proof by cycles change the tree (ours).",
                 kGraphCycles, "processed", "failures", "n - 1",
@@ -191,10 +211,11 @@ void add_graph_claims(const std::vector<lab::SeriesResult>& results, lab::PartRe
                 [](double n, double) { return n * (n - 1) / 2; }}));
   for (const KdsRuns& runs : {kGraphClusters, kGraphSparsified}) {
     report.claims.push_back(count_claim(
-        results, {runs.structure == kGraphClusters.structure ? "7.11.lower-clusters"
-                                                             : "7.11.lower-sparsified",
-                  "The tree of a graph with n edges changes Omega(n) times.", runs, "external",
-                  "changes, of two vertices", "n - 1", [](double n, double) { return n - 1; }}));
+        results,
+        {runs.structure == kGraphClusters.structure ? "7.11.lower-clusters"
+                                                    : "7.11.lower-sparsified",
+         "The tree of a graph with n edges changes Omega(n) times (not in the report).", runs,
+         "external", "changes, of two vertices", "n - 1", [](double n, double) { return n - 1; }}));
   }
   report.claims.push_back(agreement_claim(
       results, "7.11.same-changes",
@@ -219,12 +240,25 @@ void add_graph_claims(const std::vector<lab::SeriesResult>& results, lab::PartRe
           "; by sparsification " +
           power_text("at most", means_of(results, kRandomGraphSparsified, "max_live", 1)),
       kRandomGraphClusters));
-  report.claims.push_back(growth_claim(
-      means_of(results, kRandomGraph, "external", 1),
-      {"7.11.upper",
-       "The tree of a graph with n edges and k vertices changes O(n k^(1/3)) times; of random weights, "
-       "k = n/4:",
-       kRandomGraph, "changes", 4.0 / 3, KdsPower::kOnAllMotion}));
+  // Of one ratio of k and n alone the report's letters and the exchanged ones give the same power.
+  const auto add = [&](const std::vector<lab::SeriesResult>& of_these, const char* id,
+                       const char* statement, double exponent) {
+    report.claims.push_back(
+        growth_claim(means_of(of_these, kRandomGraph, "external", 1),
+                     {id, statement, kRandomGraph, "changes", exponent, KdsPower::kOnAllMotion}));
+    report.claims.back().assumptions.push_back(
+        "the report prints O(k n^(1/3)) for k vertices and n edges: 7.11.as-printed");
+  };
+  add(results, "7.11.upper",
+      "The tree of a graph with n edges and k vertices changes O(n k^(1/3)) times; of random "
+      "weights, "
+      "k = n/4:",
+      4.0 / 3);
+  add(few_vertices, "7.11.upper-few",
+      "The tree of a graph with n edges and k vertices changes O(n k^(1/3)) times; of random "
+      "weights, "
+      "k = 16:",
+      1);
 }
 
 void add_planar_claims(const std::vector<lab::SeriesResult>& results, lab::PartReport& report) {
@@ -299,6 +333,9 @@ std::vector<lab::SeriesPoint> kds_section_7_trees_points(bool quick) {
       points.back().key.parameters.m = n / 4;
       points.back().cost = n / 1000.0;
     }
+    points.push_back(kds_random(kRandomGraph, n, 8, 1));
+    points.back().key.parameters.m = kFewVertices;
+    points.back().cost = n / 1000.0;
     for (const KdsRuns& runs : {kPlanarCycles, kPlanarClusters, kPlanarSparsified}) {
       if (n > 640) continue;
       points.push_back(kds_random(runs, n, 8, 1));
@@ -310,12 +347,18 @@ std::vector<lab::SeriesPoint> kds_section_7_trees_points(bool quick) {
 
 lab::PartReport kds_section_7_trees_report(const std::vector<lab::SeriesResult>& results,
                                            const std::string& command) {
+  std::vector<lab::SeriesResult> few_vertices, others;
+  for (const lab::SeriesResult& result : results) {
+    const bool is_few = result.point.key.workload == kRandomGraph.workload &&
+                        result.point.key.parameters.m == kFewVertices;
+    (is_few ? few_vertices : others).push_back(result);
+  }
   lab::PartReport report;
   add_norm_claims(results, report);
   add_polygon_claims(results, report);
   add_euclidean_claims(results, report);
   add_planar_claims(results, report);
-  add_graph_claims(results, report);
+  add_graph_claims(others, few_vertices, report);
   std::vector<lab::Curve> curves;
   curves.push_back({"events, by the order of all edges", means_of(results, kList, "processed"), ""});
   curves.push_back({"events, by cycles", means_of(results, kCycles, "processed"), ""});

@@ -54,6 +54,20 @@ TEST(ConvexHull2Degenerate, OneLineForEver) {
   }
 }
 
+// Three points that are always on one line change places where no triple turns: bounds that count turns
+// of triples do not speak of them.
+TEST(ConvexHull2Degenerate, ThreeOnOneLineForEver) {
+  for (const int slope : {0, 2}) {
+    expect_one_story(scene_of({path({{0}, {0}}), path({{1, 1}, {slope, slope}}),
+                               path({{3, -2}, {3 * slope, -2 * slope}})},
+                              -10, Rational(10)));
+    expect_one_story(scene_of({path({{3, 3, 4}, {3 * slope, 3 * slope, 4 * slope}}),
+                               path({{3, 2, -4}, {3 * slope, 2 * slope, -4 * slope}}),
+                               path({{1, -3, 3}, {slope, -3 * slope, 3 * slope}})},
+                              -20, Rational(20)));
+  }
+}
+
 // Points that slide along hull edges and reach their ends.
 TEST(ConvexHull2Degenerate, AlongAnEdge) {
   const std::vector<Trajectory> square{path({{0}, {0}}), path({{4}, {0}}), path({{4}, {4}}),
