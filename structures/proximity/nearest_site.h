@@ -13,8 +13,9 @@
 //
 // Quality, for n sites: as many certificates as s has neighbours, at most n - 1, and in the plane fewer
 // than 6 on average over the sites; the query is in all of them. A failure makes the certificates of
-// another star; a flip renews at most two. Strongly efficient: each failure changes the nearest site,
-// but for several at one instant. External events: those of minimum_tournament by the squared distance
+// another star; a flip renews at most two. None of its own failures is internal, but for several at one
+// instant: each changes the nearest site. With the flips of the triangulation, most of which do not, it is
+// not efficient. External events: those of minimum_tournament by the squared distance
 // to q, at most lambda_2d(n) - 1 without flight-plan changes: 2n - 2 for linear motion. An insertion or
 // erasure walks to the nearest site, to ever smaller distances.
 //

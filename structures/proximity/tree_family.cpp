@@ -145,14 +145,15 @@ std::vector<StructureInfo> norm_trees() {
               "the minimum spanning tree in the maximum norm, by the order of all pairs of "
               "octants",
               "at most 4n - 1, one for each two neighbours in the list of the pairs of a point "
-              "and the next one in an octant; those of the octants besides",
+              "and the next one in an octant, 8n - 1 while pointers change; those of the octants "
+              "besides",
               TreeProof::kList, make_cone_tree<TreeProof::kList>},
           TreeTexts{
               "mst_maximum_norm_cycles",
               "the minimum spanning tree in the maximum norm, every pair outside it against "
               "those of its cycle",
               "at most (3n + 1)(n - 1): every pair of an octant outside the tree is the longest "
-              "of its cycle; those of the octants besides",
+              "of its cycle; (7n + 1)(n - 1) while pointers change; those of the octants besides",
               TreeProof::kCycles, make_cone_tree<TreeProof::kCycles>},
           TreeTexts{
               "mst_maximum_norm_clusters",
@@ -172,7 +173,8 @@ std::vector<StructureInfo> norm_trees() {
               "a minimum spanning tree in the norm of a polygon, nearly the Euclidean one, by "
               "the order of all pairs of its cones",
               "at most cn/2 - 1 for c corners, one for each two neighbours in the list of the "
-              "pairs of a point and the next one in a cone; those of the cones besides; "
+              "pairs of a point and the next one in a cone, cn - 1 while pointers change; those "
+              "of the cones besides; "
               "12 corners, or 20 where \"over\" names cones_local with \"corners\": 20",
               TreeProof::kList, make_cone_tree<TreeProof::kList>},
           TreeTexts{
@@ -180,7 +182,8 @@ std::vector<StructureInfo> norm_trees() {
               "a minimum spanning tree in the norm of a polygon, nearly the Euclidean one, "
               "every pair outside it against those of its cycle",
               "at most ((c/2 - 1)n + 1)(n - 1) for c corners: every pair of a cone outside the "
-              "tree is the longest of its cycle; those of the cones besides; "
+              "tree is the longest of its cycle; ((c - 1)n + 1)(n - 1) while pointers change; "
+              "those of the cones besides; "
               "12 corners, or 20 where \"over\" names cones_local with \"corners\": 20",
               TreeProof::kCycles, make_cone_tree<TreeProof::kCycles>},
           TreeTexts{

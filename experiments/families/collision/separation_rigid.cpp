@@ -113,7 +113,7 @@ lab::PartReport separation_rigid_report(const std::vector<lab::SeriesResult>& re
   compact.id = "rigid.compact";
   compact.kind = "bound";
   compact.statement = "The structure is compact and local: one certificate, a single tile.";
-  compact.expected = "at most 6 polynomials";
+  compact.expected = "at most 6 polynomials while the bodies are apart";
   compact.tolerance = "none";
   compact.observed = signs.empty() ? "no run" : fmt::format("at most {:.0f}", certificates);
   compact.verdict = signs.empty()       ? lab::Verdict::kOpen

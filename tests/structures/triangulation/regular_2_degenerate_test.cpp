@@ -197,6 +197,14 @@ TEST(Regular2, ReferenceArithmeticAgreesOnLattices) {
   }
 }
 
+TEST(Regular2, TwinsInLargeScenes) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE(seed);
+    World world(weighted_twins(30, seed, 2));
+    world.run().expect_clean();
+  }
+}
+
 // They end; where nothing is degenerate and numbers are precise they agree.
 TEST(Regular2, InexactArithmeticsEnd) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:12", "mpfr:60"}) {

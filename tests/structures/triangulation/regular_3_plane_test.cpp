@@ -433,6 +433,14 @@ TEST(Regular3Plane, ReferenceArithmeticAgreesOnLattices) {
   }
 }
 
+TEST(Regular3Plane, TwinsInLargeScenes) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE(seed);
+    World world(placed(weighted_twins(30, seed, 2), kFlat));
+    world.run().expect_clean();
+  }
+}
+
 TEST(Regular3Plane, InexactArithmeticsNeverFallOver) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:12", "mpfr:60"}) {
     for (std::uint64_t seed = 0; seed < fewer(2u); ++seed) {

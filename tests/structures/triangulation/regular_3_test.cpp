@@ -334,6 +334,14 @@ TEST(Regular3, ReferenceArithmeticAgreesOnLattices) {
   }
 }
 
+TEST(Regular3, TwinsInLargeScenes) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE(seed);
+    World world(weighted_twins(20, seed, 3));
+    world.run().expect_clean();
+  }
+}
+
 TEST(Regular3, InexactArithmeticsEnd) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:60"}) {
     for (std::uint64_t seed = 0; seed < test::fewer(6u); ++seed) {

@@ -84,6 +84,20 @@ inline Scene weighted_lattice(std::uint64_t seed, int n, bool moving, int dimens
   return weighted_scene(motions, -3, Rational(3));
 }
 
+// n points of {0 .. 99}^d with weights in 0 .. 99, and a twin of every fourth of them: in scenes of so many points
+// the audit looks at no hidden point, and the witness may keep the other one of two.
+inline Scene weighted_twins(int n, std::uint64_t seed, int dimension) {
+  test::Random random(seed);
+  std::vector<Trajectory> motions;
+  for (int i = 0; i < n; ++i) {
+    std::vector<Coefficients> axes;
+    for (int axis = 0; axis <= dimension; ++axis) axes.push_back({random.between(0, 99)});
+    motions.push_back(test::path(axes));
+    if (i % 4 == 0) motions.push_back(motions.back());
+  }
+  return weighted_scene(motions, 0, Rational(1));
+}
+
 // The weight that lifts the object's motion to the height h: x^2 + y^2 - w = h.
 inline Trajectory lifted_to(const Coefficients& x, const Coefficients& y, const Coefficients& h) {
   Coefficients w(2 * std::max(x.size(), y.size()));
