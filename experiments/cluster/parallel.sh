@@ -7,6 +7,10 @@
 # The same command goes on after a kill: finished cells are read from FOLDER, never from the job log.
 # FOLDER.sqlite is merged anew each time.
 set -eu
+here=$(dirname "$0")
+# shellcheck source-path=SCRIPTDIR source=arguments.sh
+. "$here/arguments.sh"
+check_arguments "parallel.sh PLAN FOLDER SHARDS JOBS [OPTION OF parallel ..]" "$@"
 plan=$1 folder=$2 shards=$3 jobs=$4
 shift 4
 mkdir -p "$folder"

@@ -10,6 +10,9 @@
 # The same command goes on; --array=3,7 submits single shards again.
 set -eu
 here=$(dirname "$0")
+# shellcheck source-path=SCRIPTDIR source=arguments.sh
+. "$here/arguments.sh"
+check_arguments "submit.sh PLAN FOLDER SHARDS AT_ONCE [OPTION OF sbatch ..]" "$@"
 plan=$1 folder=$2 shards=$3 at_once=$4
 shift 4
 mkdir -p "$folder/log"

@@ -38,9 +38,11 @@ def levels_of(text):
         first, _, last = part.partition("-")
         if not first.isdigit() or (last and not last.isdigit()):
             raise argparse.ArgumentTypeError("levels are written 0-5, 3 or 0,2-4")
+        if int(last or first) < int(first):
+            raise argparse.ArgumentTypeError("%s holds no level; write %s-%s" % (part, last, first))
+        if int(last or first) > max(LEVELS):
+            raise argparse.ArgumentTypeError("%s: the levels are 0 to %d" % (part, max(LEVELS)))
         levels.update(range(int(first), int(last or first) + 1))
-    if not levels <= set(LEVELS):
-        raise argparse.ArgumentTypeError("the levels are 0 to 5")
     return levels
 
 

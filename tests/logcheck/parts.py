@@ -286,6 +286,14 @@ class CommandLine(unittest.TestCase):
         done = subprocess.run([sys.executable, FOLDER, *map(str, words)], capture_output=True, text=True, input=given)
         return done.returncode, done.stdout + done.stderr
 
+    def test_levels(self):
+        self.write()
+        for levels, message in (("3-1", "3-1 holds no level; write 1-3"), ("9", "9: the levels are 0 to 5"),
+                                ("0,4-7", "4-7: the levels are 0 to 5"), ("x", "levels are written 0-5, 3 or 0,2-4")):
+            code, said = self.of(self.log, "--scene", self.scene, "--levels", levels)
+            self.assertEqual(code, 2, said)
+            self.assertIn("argument --levels: " + message, said)
+
     def test_files_that_are_something_else(self):
         self.write()
         for text in (json.dumps(SCENE), json.dumps(SCENE, indent=1)):  # without a last newline

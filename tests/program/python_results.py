@@ -83,7 +83,7 @@ def test_log_and_summary(folder):
     cut = kinex.read_log(folder / "cut.log")
     assert cut.end is None and 0 < len(cut.records) < len(log.records)
     refused(lambda: kinex.read_log(folder / "scene.json"), "does not begin an event log")
-    refused(lambda: kinex.runs(folder / "scene.json"), "it holds no runs")
+    refused(lambda: kinex.runs(folder / "scene.json"), "it holds no runs (it has no member 'structures')")
     refused(lambda: kinex.runs(folder / "missing"), "cannot be read")
     for name, data, message in (("base", b"SQLite format 3\0\xff", "it is a SQLite database, not a text; runs() and growth.py read databases"),
                                 ("run.log.gz", b"\x1f\x8b\x08\xff", "it is a compressed file (gzip), not a text; unpack it by gunzip"),
@@ -98,6 +98,36 @@ def test_fit():
     fit = kinex.fit_power([(n, 3 * n ** 1.5) for n in (2, 4, 8, 16)])
     assert abs(fit.exponent - 1.5) < 1e-9 and abs(fit.factor - 3) < 1e-9 and fit.error < 1e-6
     refused(lambda: kinex.fit_power([(2, 3), (2, 4)]), "two sizes")
+    refused(lambda: kinex.fit_power([(1, 0), (2, 3), (3, 4)]), "no power fits the point (1, 0)")
+
+
+def test_numbers():
+    for text, value in (("-7", -7), ("1/3", Fraction(1, 3)), ("0.25", Fraction(1, 4)), ("1e-9", Fraction(1, 10 ** 9)),
+                        ("0x1.8p+3", 12), ("-0x1p-1200", -Fraction(1, 2 ** 1200)), ("0x.8", Fraction(1, 2))):
+        assert kinex.exact(text) == value, text
+    for text in ("abc", "1/0", "0x", "0x1.8p", ""):
+        refused(lambda: kinex.exact(text), f"{text!r} is no number")
+
+
+def test_limits_and_zeros(folder):
+    """Runs that ended at a limit, and counts of 0, are in no fit, and the message says so."""
+    block = {"structure": ["sorted_list"], "workload": "uniform-square", "n": [20, 40, 80], "seed": {"from": 1, "to": 2}}
+    for name, more in (("limits", {"max_events": 30}), ("whole", {})):
+        (folder / f"{name}-plan.json").write_text(json.dumps({"kinex_plan": 1, "name": name, "blocks": [{**block, **more}]}))
+        kinex_run(folder, "sweep", "run", f"{name}-plan.json", "-o", name)
+        kinex_run(folder, "sweep", "merge", name, "-o", f"{name}.sqlite")
+    code, _, err = example(folder, "growth.py", "limits.sqlite", "external", "limits.svg")
+    assert code == 2 and "(left out: 6 that ended at a limit); run more sizes, to their end" in err, err
+    code, _, err = example(folder, "growth.py", "whole.sqlite", "internal", "zeros.svg")
+    assert code == 2 and "(left out: 6 with internal 0, which fit no power)" in err, err
+    kinex_run(folder, "gen", "uniform-square", "--n", "20", "--seed", "1", "-o", "one.json")
+    kinex_run(folder, "run", "one.json", "--maintain", "sorted_list", "--summary", "one-summary.json")
+    swept = next(run for run in kinex.runs(folder / "whole.sqlite") if run.objects == 20 and run.seed == 1)
+    of_summary, = kinex.runs(folder / "one-summary.json")
+    for name in ("external", "certificates_created", "certificates_retracted"):
+        assert swept.counters[name] == of_summary.counters[name], name
+    for name in ("certificates_live", "certificates_per_object"):
+        assert swept.extremes[name] == of_summary.extremes[name], name
 
 
 def commands_of_page():
@@ -213,8 +243,9 @@ def test_too_many_series(folder):
 
 test_instants()
 test_fit()
+test_numbers()
 with tempfile.TemporaryDirectory() as scratch:
-    for number, test in enumerate((test_log_and_summary, test_examples, test_growth_of_verify, test_too_many_series)):
+    for number, test in enumerate((test_log_and_summary, test_examples, test_growth_of_verify, test_too_many_series, test_limits_and_zeros)):
         own = Path(scratch) / str(number)
         own.mkdir()
         test(own)

@@ -36,8 +36,20 @@ def kill_shards_of(folder):
         time.sleep(0.02)
 
 
+def check_arguments(source):
+    """Bad arguments are refused before anything runs."""
+    for script in ("parallel.sh", "submit.sh"):
+        for words, message in ((("plan.json", "out"), f"usage: {script} PLAN FOLDER SHARDS "),
+                               (("none.json", "out", "4", "2"), f"{script}: none.json: the plan cannot be read; check the name\n"),
+                               (("verify", "out", "0", "2"), f"{script}: '0' is no number from 1; usage: {script} PLAN "),
+                               (("verify", "out", "4", "2x"), f"{script}: '2x' is no number from 1; usage: {script} PLAN ")):
+            done = subprocess.run(["sh", source / "experiments/cluster" / script, *words], capture_output=True, text=True, check=False)
+            assert done.returncode == 2 and done.stderr.startswith(message) and not done.stdout, (script, words, done)
+
+
 def main():
     program, source = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    check_arguments(source)
     if shutil.which("parallel") is None:
         print("skipped: GNU parallel is not installed (Debian: parallel)")
         return 77

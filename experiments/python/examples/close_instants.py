@@ -37,7 +37,8 @@ def main():
     instants = []
     for record in kinex.read_log(options.log).records:
         if record.instant is None:
-            raise kinex.ResultsError(f"{options.log}: it does not name its instants; run kinex in exact")
+            raise kinex.ResultsError(f"{options.log}: it does not name its instants; run kinex in an exact arithmetic, "
+                                     "with --instants names (the default)")
         if not instants or instants[-1] < record.instant:
             instants.append(record.instant)
     gaps = [gap_between(a, b) for a, b in zip(instants, instants[1:])]

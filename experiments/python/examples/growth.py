@@ -6,7 +6,8 @@
     python3 growth.py verify.sqlite external growth.svg --structure sorted_list --workload uniform-square
 
 growth-plan.json is beside this file. verify.sqlite of kinex verify does as well. A series is the exact runs of one
-structure on one workload that differ in n and seed alone; those of a single n are left out.
+structure on one workload that differ in n and seed alone; those of a single n are left out, and so are runs that
+ended at a limit.
 """
 import sys
 from pathlib import Path
@@ -92,12 +93,14 @@ def listed(every):
 
 def chosen_series(options):
     """In order of their names. Says what is left out."""
-    found, zeros, inexact = {}, 0, 0
+    found, zeros, inexact, limited = {}, 0, 0, 0
     for run, value in kinex.counters(options.results, options.counter):
         series = Series(run)
         series = found.setdefault((series.structure, series.workload, series.parameters), series)
         if run.arithmetic != "exact":
             inexact += is_chosen(series, options)
+        elif run.status not in (None, "done"):
+            limited += is_chosen(series, options)
         elif value > 0:
             series.points.append((run.objects, value))
         elif is_chosen(series, options):
@@ -105,8 +108,12 @@ def chosen_series(options):
     every = [found[key] for key in sorted(found) if len(found[key].sizes()) >= 2]
     chosen = [one for one in every if is_chosen(one, options)]
     if not every:
-        raise kinex.ResultsError(f"{options.results}: no two exact runs with {options.counter} differ in n alone; run more "
-                                 "sizes (kinex sweep, kinex verify)")
+        left_out = ", ".join(f"{number} {what}" for number, what in (
+            (zeros, f"with {options.counter} 0, which fit no power"), (limited, "that ended at a limit"),
+            (inexact, "in other arithmetics than exact")) if number)
+        raise kinex.ResultsError(f"{options.results}: no two exact runs with {options.counter} differ in n alone"
+                                 + (f" (left out: {left_out})" if left_out else "")
+                                 + "; run more sizes, to their end (kinex sweep, kinex verify), or take another counter")
     if not chosen:
         raise kinex.ResultsError(f"{options.results}: no series is chosen; its series are:{listed(every)}")
     if len(chosen) > MOST_SERIES:
@@ -117,6 +124,7 @@ def chosen_series(options):
     for number, what, remedy in (
             (small, "series of a single n", "run more sizes of them (kinex sweep, kinex verify)"),
             (zeros, f"runs with {options.counter} 0, which has no logarithm", "larger sizes have more events"),
+            (limited, "runs that ended at a limit", "their counts are those of a part of the motion"),
             (inexact, "runs in other arithmetics than exact", "their counts may be wrong")):
         if number:
             script.note(f"{options.results}: left out: {number} {what}; {remedy}")
@@ -136,8 +144,9 @@ def main():
         figure.points(name, series.points)
         fit = kinex.fit_power(series.points)
         error = "" if fit.error is None else f" \u00b1 {fit.error:.3f} (95 %)"
-        print(f"{name}: {len(series.points)} runs, {options.counter} ~ n^{fit.exponent:.3f}{error}")
-        figure.line(f"{fit.factor:.3g} n^{fit.exponent:.3f}{error}", [(n, fit(n)) for n in series.sizes()], like=name)
+        power = f"n^{fit.exponent:.3f}".replace("^-0.000", "^0.000")
+        print(f"{name}: {len(series.points)} runs, {options.counter} ~ {power}{error}")
+        figure.line(f"{fit.factor:.3g} {power}{error}", [(n, fit(n)) for n in series.sizes()], like=name)
     figure.write(options.figure, options.results, options.force)
 
 
