@@ -37,10 +37,10 @@ def check_next(name, state, events, label, shown):
     """The certificate that is displayed as failing next is that of the log's next event."""
     proof, pair = state["proof"]["structures"][label], state["proof"]["pair"]
     later = [e for e in failures(events, label, pair) if e["seq"] > state["event"]]
-    own = [e for e in events if e["structure"] == label and e["certificate"]]
+    own = [e for e in events if e["structure"] == label]
     counts = [sum(e["seq"] <= state["event"] for e in own), len(own)]
-    if proof["events"] != counts:
-        fail(f"{name}: after event {state['event']} {label} has had {counts}, not {proof['events']}")
+    if proof["records"] != counts:
+        fail(f"{name}: after record {state['event']} {label} has had {counts}, not {proof['records']}")
     if not later:
         if proof["next"] is not None:
             fail(f"{name}: nothing fails after event {state['event']}, not event {proof['next']}")
@@ -224,7 +224,7 @@ def main():
         page = BodyPage(chromium, sys.argv[1], folder)
         both = "separation_mixed,closest_features"
         answer, events, fan = one_scene(page, "fan", ["polygon-fan", "--n", "6", "--m", "6"], both)
-        counts = [answer["states"][0]["proof"]["structures"][s]["events"][1] for s in both.split(",")]
+        counts = [answer["states"][0]["proof"]["structures"][s]["records"][1] for s in both.split(",")]
         if not counts[0] * 10 < counts[1]:
             fail(f"fan: {counts} events")
         _, _, orbit = one_scene(

@@ -65,10 +65,10 @@ class Lanes extends TimeWindow {
     const { top } = this.parts(index);
     const counts = this.counts[0][index];
     const name = DATA.structures[index].label;
-    const done = (placeUntil(counts.events, app.k) + 1) + " of " + counts.events.length;
-    const records = done + (counts.events.length === 1 ? " log record" : " log records");
+    const done = (placeUntil(counts.records, app.k) + 1) + " of " + counts.records.length;
+    const records = done + (counts.records.length === 1 ? " log record" : " log records");
     const more = (counts.external > 0 ? ", " + counts.external + " external" : "") +
-      (OTHER !== null ? " (" + OTHER.arithmetic + ": " + this.counts[1][index].events.length + ")" : "");
+      (OTHER !== null ? " (" + OTHER.arithmetic + ": " + this.counts[1][index].records.length + ")" : "");
     const room = axis.right - axis.left - 10, wide = text => context.measureText(text).width;
     const text = [name + "  " + records + more, name + "  " + records, name + "  " + done]
       .find(one => wide(one) <= room) || name;
@@ -80,18 +80,18 @@ class Lanes extends TimeWindow {
   }
 
   laneBars(context, axis, run, index, base, length, colour, now) {
-    const { events } = this.counts[run === FIRST ? 0 : 1][index];
+    const { records } = this.counts[run === FIRST ? 0 : 1][index];
     const taken = [-9, -9];
-    let i = placeUntil(events, axis.firstOf(run) - 1) + 1;
-    for (; i < events.length; ++i) {
-      const k = events[i], place = axis.placeOf(run, k);
+    let i = placeUntil(records, axis.firstOf(run) - 1) + 1;
+    for (; i < records.length; ++i) {
+      const k = records[i], place = axis.placeOf(run, k);
       if (place > axis.to) break;
       const x = Math.round(axis.x(place)), long = run.x[at(run, k)];
       if (k !== now && taken[long] === x) continue;
       taken[long] = x;
       context.fillStyle = k === now ? COLOUR.failed : colour;
       context.globalAlpha = run === FIRST && !this.app.filter.fits(k) ? 0.15 : 1;
-      const wide = k === now ? 4 : events.length > 300 ? 1 : 2;
+      const wide = k === now ? 4 : records.length > 300 ? 1 : 2;
       context.fillRect(x - wide / 2, base, wide, length * (long === 1 ? 1 : 0.42));
     }
     context.globalAlpha = 1;
@@ -100,13 +100,13 @@ class Lanes extends TimeWindow {
   laneAt(y) {
     return Math.max(0, Math.min(DATA.structures.length - 1, Math.floor((y - MARK) / this.height)));
   }
-  // The event of the lane whose bar is nearest to x, or null if none is near.
+  // The log record of the lane whose bar is nearest to x, or null if none is near.
   eventAt(x, y) {
-    const { events } = this.counts[0][this.laneAt(y)];
+    const { records } = this.counts[0][this.laneAt(y)];
     const place = this.axis.place(x);
-    const near = placeUntil(events, this.axis.records ? Math.floor(place) : eventsUntil(FIRST, place));
+    const near = placeUntil(records, this.axis.records ? Math.floor(place) : eventsUntil(FIRST, place));
     let best = null, distance = 7;
-    for (const k of [events[near], events[near + 1]]) {
+    for (const k of [records[near], records[near + 1]]) {
       if (k === undefined) continue;
       const d = Math.abs(this.axis.x(this.axis.placeOf(FIRST, k)) - x);
       if (d < distance) { distance = d; best = k; }
@@ -115,14 +115,14 @@ class Lanes extends TimeWindow {
   }
 }
 
-// The numbers of a structure's events that its certificates cause, and how many are external.
+// The numbers of a structure's log records, whether a certificate caused them or not, and how many are external.
 function countsOf(run, index) {
-  const events = [];
+  const records = [];
   let external = 0;
   run.u.forEach((_, e) => {
-    if (run.s[e] !== index || run.certificates[e] === 0) return;
-    events.push(e + run.before + 1);
+    if (run.s[e] !== index) return;
+    records.push(e + run.before + 1);
     external += run.x[e];
   });
-  return { events, external };
+  return { records, external };
 }

@@ -89,10 +89,10 @@ class PairPanel extends Panel {
     app.proofs.forEach((proofs, index) => {
       const name = make("dt", DATA.structures[index].label);
       name.style.color = app.colourOf(index);
-      const so = placeUntil(proofs.events, app.k) + 1;
+      const so = placeUntil(proofs.records, app.k) + 1;
       const state = app.replays[index].lost ? "corrupt"
         : proofs.describe(pair);
-      const value = make("dd", so + " of " + proofs.events.length + " events");
+      const value = make("dd", so + " of " + counted(proofs.records.length, "log record"));
       if (index !== app.shown()) value.append("; " + state);
       list.append(name, value);
     });
@@ -125,7 +125,7 @@ function pairState() {
         closest: joined ? names(joined) : null,
         contact: contact === null ? null
           : { event: contact.event, features: names(contact.features) },
-        events: [placeUntil(proofs.events, app.k) + 1, proofs.events.length],
+        records: [placeUntil(proofs.records, app.k) + 1, proofs.records.length],
       }];
     })) };
 }

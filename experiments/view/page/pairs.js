@@ -76,7 +76,7 @@ class Pairs {
     this.groups = new Map();     // numbers of groups, by pair
     this.failures = new Map();   // numbers of events with a certificate, by pair
     this.meetings = new Map();   // numbers of external events, by pair
-    this.events = this.proof.failures.all;
+    this.records = countsOf(run, index).records;
     for (const [number, , about] of this.proof.data.groups) {
       if (about.length === 2) this.groups.set(pairCode(...about), number);
     }

@@ -144,24 +144,23 @@ class Proof {
     return [gone.filter(c => !after.has(mark(c))), came.filter(c => !before.has(mark(c)))];
   }
 
-  // The events of the structure that a failure caused, by claim and in all.
+  // The events of the structure that a failure caused, by claim.
   get failures() {
     if (this.failureLists) return this.failureLists;
-    this.failureLists = { all: [], of: new Map() };
+    this.failureLists = new Map();
     this.run.u.forEach((_, e) => {
       const certificate = this.run.certificates[e];
       if (this.run.s[e] !== this.index || certificate === 0) return;
       const k = e + this.run.before + 1, key = claimKey(...certificate);
-      this.failureLists.all.push(k);
-      if (!this.failureLists.of.has(key)) this.failureLists.of.set(key, []);
-      this.failureLists.of.get(key).push(k);
+      if (!this.failureLists.has(key)) this.failureLists.set(key, []);
+      this.failureLists.get(key).push(k);
     });
     return this.failureLists;
   }
   // The event after event k at which this certificate fails, or null: it goes before, or the page ends before.
   failsAt(c, k = 0) {
     const [predicate, ids] = this.run.claims[this.data.certificates[c][3]];
-    const list = this.failures.of.get(claimKey(predicate, ids)) || [];
+    const list = this.failures.get(claimKey(predicate, ids)) || [];
     const place = placeUntil(list, Math.max(k, this.born[c])) + 1;
     return place < list.length && list[place] <= this.died[c] ? list[place] : null;
   }
