@@ -165,9 +165,7 @@ class Panel {
   describeCertificate(run, e, row) {
     const certificate = run.certificates[e];
     if (certificate === 0) {
-      const reports = run.k[e] < DATA.structures[run.s[e]].own;
-      row("certificate", reports ? "none of its own: reports what this instant has changed"
-                                 : "none: a change of the scene or of the whole proof");
+      row("certificate", withoutCertificate(run, e));
       return;
     }
     row("certificate", this.certificateText(run, certificate));
