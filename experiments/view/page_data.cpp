@@ -366,7 +366,7 @@ void write_queries(formats::JsonWriter& json, const RecordedRun& run, const Rati
         write_ids(json, node.objects);
         json.end_array();
       }
-      json.end_array().end_array();
+      json.end_array().number(answer.looked_at).end_array();
     }
     json.end_array().end_object();
   }

@@ -21,7 +21,7 @@
 //     "differences": {EVENT: [[GONE], [CAME]]} of external events without a certificate, as in a log,
 //     "states": [{"initial": [..], "changes": [[EVENT, PLACE, [REMOVED], [ADDED]]], "corrupt"}],
 //     "queries": [{"u", "at": TEXT, "box": [[LOW, HIGH] per axis],
-//                  "answers": [[STRUCTURE, [IDS], [[PLACE, [IDS]] per node]]]}]}],
+//                  "answers": [[STRUCTURE, [IDS], [[PLACE, [IDS]] per node], NODES]]}]}],
 //  "divergence": EVENT or 0}
 // An event has
 //   "u"             its time
@@ -32,7 +32,8 @@
 //   "p"             the certificate's polynomial, a list of coefficients as texts; 1 or -1 if it
 //                   is that of the instant or its negation; 0 without a certificate
 //   "g"             0, or the stages [FOUND, ORDERED] that its failure time needed (stage_watch.h)
-// A query's PLACE is that of a node of a tree: 0 outside the box, 1 crossed by it, 2 inside it.
+// A query's PLACE is that of a node of a tree: 0 outside the box, 1 crossed by it, 2 inside it. NODES is how many the tree has looked
+// at, as `kinex run` counts them: those below the nodes inside and in trees of nodes, too.
 // In "instants" a POLYNOMIAL is a text, its coefficients with blanks between them, lowest first; an
 // inexact instant is [DECIMAL]. Objects are numbers, indices into "ids". Where all ids of an event,
 // or all that a change removes or adds, are arguments of the event's certificate, a text stands for

@@ -47,6 +47,7 @@ struct RecordedQuery {
     StructureId structure;
     std::vector<ObjectId> ids;  // ascending
     QueryTrace nodes;
+    std::uint64_t looked_at = 0;  // QueryCounts::nodes, which counts more than those
   };
   BoxQuery query;
   std::vector<Answer> answers;

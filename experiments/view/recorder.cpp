@@ -20,6 +20,7 @@
 #include "experiments/view/attribute_state.h"
 #include "experiments/view/proof_recorder.h"
 #include "experiments/view/watched_structure.h"
+#include "structures/parts/range_search.h"
 #include "structures/plan.h"
 #include "structures/registry.h"
 
@@ -158,8 +159,14 @@ class Recorder final : public EventSink {
     for (StructureId id = 0; id < states_.size(); ++id) {
       auto* const tree = dynamic_cast<TracedSearch*>(searched_[id]);
       if (tree == nullptr || simulator_->ledger(id).corrupt) continue;
-      RecordedQuery::Answer answer{id, {}, {}};
+      RecordedQuery::Answer answer{id, {}, {}, 0};
       tree->trace(low, high, answer.ids, answer.nodes);
+      if (auto* const search = dynamic_cast<RangeSearch*>(searched_[id])) {
+        std::vector<ObjectId> again;
+        QueryCounts counts;
+        search->report(low, high, again, counts);
+        answer.looked_at = counts.nodes;
+      }
       std::sort(answer.ids.begin(), answer.ids.end());
       recorded.answers.push_back(std::move(answer));
     }

@@ -16,7 +16,7 @@ from structure_names import structure_names
 # A number that stands for a slot: "claims[4]", "slot === 2", "claims.length === 8".
 SLOTS = re.compile(r"\b(?:claims|certificates|slots?)\w*\s*(?:\[\s*\d|\.length\s*[=!]==?\s*\d*[1-9]"
                    r"|(?:===?|!==?|<|>)\s*\d*[1-9])|\.tag\b")
-HEADERS = re.compile(r'#include "structures/(?!plan|registry|parts/query_trace|parts/local_pairs)[^"]*"')
+HEADERS = re.compile(r'#include "structures/(?!plan|registry|parts/query_trace|parts/range_search|parts/local_pairs)[^"]*"')
 
 
 def predicate_names(root):

@@ -47,12 +47,17 @@ function drawQuery(context, plane) {
   context.strokeStyle = COLOUR.first;
   context.lineWidth = 2;
   context.strokeRect(left, top, right - left, bottom - top);
-  const [, ids, nodes] = answer || [null, [], []];
-  const count = kind => nodes.filter(node => node[0] === kind).length;
-  const text = "query at t = " + shortText(query.at) + ": " + counted(ids.length, "point") + "; nodes: " +
-    count(1) + " crossed, " + count(2) + " inside, " + count(0) + " outside";
-  const [areaLeft, areaTop] = plane.rectangle;
+  const [areaLeft, areaTop, areaWidth] = plane.rectangle;
+  const text = textsOfQuery(query, answer || [null, [], [], 0])
+    .find((one, i, all) => i === all.length - 1 || context.measureText(one).width < areaWidth - 50);
   label(context, text, areaLeft + 40, areaTop + 12, COLOUR.text);
+}
+// In words, the longest first: the points, the nodes that are drawn, and how many the tree has looked at with those that are not.
+function textsOfQuery(query, [, ids, nodes, all]) {
+  const count = kind => nodes.filter(node => node[0] === kind).length;
+  const found = "query at t = " + shortText(query.at) + ": " + counted(ids.length, "point");
+  const drawn = found + "; nodes: " + count(1) + " crossed, " + count(2) + " inside, " + count(0) + " outside";
+  return [drawn + "; with those below and in them, as kinex run counts: " + all, drawn + "; in all " + all, drawn, found];
 }
 
 // Of the directions of the shown structure, and of those at right angles to them if there are two sides, the first along which the
