@@ -1,5 +1,6 @@
 // What is shown: the state after event k at time u, in units of the shown span. Stepping goes from
 // event to event; playing and the time axes go through time, and k follows.
+const WHOLE = 1.04;  // the length of a time window that shows the whole run, with a margin at both ends
 class App {
   constructor() {
     this.k = BEFORE;
@@ -9,8 +10,8 @@ class App {
     this.playing = false;
     this.replays = DATA.structures.map((_, i) => new Replay(FIRST, i));
     this.others = OTHER === null ? null : DATA.structures.map((_, i) => new Replay(OTHER, i));
-    const events = LAST - BEFORE;
-    this.span = Math.min(1, events > 0 ? 30 / events : 1);  // of the time window
+    const events = LAST - BEFORE, share = 30 / Math.max(1, events);
+    this.span = share < 0.9 ? share : WHOLE;  // of the time window: some 30 events, or all
     this.rate = Math.min(1 / 12, 2 / Math.max(1, events));  // u per second: about 2 events a second
     this.partedAt = null;
     if (PARTED > BEFORE) {
@@ -39,7 +40,7 @@ class App {
     this.proofs = pairs(FIRST);
     this.otherProofs = OTHER === null ? null : pairs(OTHER);
     this.runProofs = this.proofs.map(own => own.proof);
-    this.span = 1.03;
+    this.span = WHOLE;
     this.rate = 1 / 30;
     this.drawings = { plane: new Arena(this) };
     this.window = new Lanes(this);
@@ -123,8 +124,10 @@ class App {
   axis(width) {
     const left = 2;
     const right = width - (this.mode === "time" ? this.drawing.band() : 18);
-    // Around now, but not beyond the ends of the run.
-    const from = Math.max(-this.span / 50, Math.min(this.u - this.span / 2, 1 - this.span * 0.98));
+    // The whole run in the middle; or around now, but not beyond the ends of the run.
+    const margin = this.span / 50;
+    const from = this.span >= 1 ? (1 - this.span) / 2
+      : Math.max(-margin, Math.min(this.u - this.span / 2, 1 + margin - this.span));
     const to = from + this.span;
     return { left, right, from, to,
              x: u => left + (u - from) / this.span * (right - left),
