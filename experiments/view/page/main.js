@@ -19,6 +19,7 @@ class App {
     }
     this.picture = new Picture("picture");
     this.selected = null;      // a certificate of the proof that is shown
+    this.askedFor = null;      // a number without a log record: { text, k: what is shown in its place }
     this.chosenGroup = null;   // a group without certificates
     this.byRecord = false;     // the window's axis is numbers of log records
     this.records = 16;         // as many of them
@@ -162,6 +163,13 @@ class App {
     this.u = timeOf(FIRST, this.k);
     this.changed();
   }
+  // What was asked for by number, from outside: one that is not there is told.
+  goTo(text) {
+    const k = /^\s*\d+\s*$/.test(text) ? +text : NaN;
+    if (!Number.isNaN(k)) this.setEvent(k);
+    this.askedFor = k >= BEFORE && k <= LAST ? null : { text, k: this.k };
+    this.changed();
+  }
   setTime(u) {
     this.u = Math.max(0, Math.min(1, u));
     this.k = eventsUntil(FIRST, this.u);
@@ -273,11 +281,23 @@ class App {
       const input = document.getElementById(id);
       if (document.activeElement !== input || id === "scrub") input.value = value;
     };
+    this.drawAskedFor();
     set("scrub", this.k);
     set("number", this.k);
     document.getElementById("scrub").setAttribute("aria-valuetext", "log record " + this.k);
     const rate = this.rate * DATA.time.span;
     document.getElementById("speed").textContent = shortNumber(+rate.toPrecision(2)) + " t/s";
+  }
+  // While what came of it is shown.
+  drawAskedFor() {
+    const line = document.getElementById("asked"), { askedFor } = this;
+    line.hidden = askedFor === null || askedFor.k !== this.k;
+    if (line.hidden) return;
+    const there = BEFORE > 0 ? "this page has those from " + (BEFORE + 1) + " to " + LAST
+      : (FIRST.stopped ? "this page has " : "the run has ") + counted(LAST, "log record");
+    const shown = this.k === BEFORE ? "what is before the first" : "log record " + this.k;
+    line.textContent = "There is no log record " + shortText(askedFor.text) + ": " + there + ". Shown is " + shown +
+      "; write #event= and a number from " + BEFORE + " to " + LAST + ".";
   }
   drawLegend() {
     const structure = DATA.structures[this.index];

@@ -89,7 +89,7 @@ function listen() {
   onClick("fit", () => { app.drawing.fit(); app.changed(); });
   document.getElementById("scrub").addEventListener("input", e => app.setEvent(+e.target.value));
   document.getElementById("number").addEventListener("change", e => {
-    if (e.target.value !== "") app.setEvent(Math.round(+e.target.value));
+    if (e.target.value !== "") app.goTo(String(Math.round(+e.target.value)));
   });
   document.getElementById("structure").addEventListener("change", e => {
     app.setStructure(+e.target.value);
@@ -250,7 +250,7 @@ function listenToPointers() {
 }
 
 // #event=K opens the page at the state after event K; &structure=LABEL chooses what is shown, &view=YAW,PITCH
-// how a picture of space is turned.
+// how a picture of space is turned. A number that no log record has is told on the page.
 function fromHash() {
   const wanted = new URLSearchParams(location.hash.slice(1));
   const structure = DATA.structures.findIndex(s => s.label === wanted.get("structure"));
@@ -265,7 +265,7 @@ function fromHash() {
     app.changed();
   }
   const k = wanted.get("event");
-  if (k !== null && /^[0-9]+$/.test(k) && +k !== app.k) app.setEvent(+k);
+  if (k === String(app.k)) app.askedFor = null; else if (k) app.goTo(k);
 }
 
 describePage();
