@@ -11,6 +11,10 @@
 #include "core/motion/scene.h"
 #include "experiments/formats/json_node.h"
 
+namespace kinex {
+struct StructureInfo;
+}
+
 namespace kinex::formats {
 
 // Fills `motion`, which must be empty, with the "motion" of an object: [[c0, c1, ..], ..], or a
@@ -60,6 +64,12 @@ void check_appearances(const JsonNode& objects, const Scene& scene);
 
 // Fills scene.maintain; the objects must have been read.
 void read_maintain(const JsonNode& node, Scene& scene);
+
+// The object of this id.
+ObjectId read_object(const JsonNode& node, const Scene& scene);
+// The members "of", "query" and "colours" of an entry of "maintain".
+void read_object_sets(const JsonNode& node, const StructureInfo& info, const Scene& scene,
+                      Request& request);
 
 // "overlapping_starts".
 void read_overlapping_starts(const JsonNode& node, Scene& scene);
