@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "experiments/formats/json_document.h"
+#include "experiments/formats/run_outcome.h"
+
 namespace kinex::sweep {
 
 namespace {
@@ -25,6 +28,16 @@ int rank(Outcome outcome) {
       return 0;
   }
   return 0;
+}
+
+// True for a run that the plan's max_events ended: its results are those of a part of the run.
+bool ended_at_max_events(const Record& record) {
+  if (record.outcome != Outcome::kDone || record.exact.empty()) return false;
+  if (record.cell.find("\"max_events\"") == std::string::npos) return false;  // nothing to be read
+  const formats::JsonDocument exact = formats::parse_json(record.exact, "the run's counts");
+  const formats::JsonValue* const ended = exact->find("ended");
+  return ended != nullptr && ended->kind() == formats::JsonValue::Kind::kString &&
+         ended->text() == formats::status_name(RunStatus::kLimit);
 }
 
 // A limit that is absent is above all others.
@@ -103,7 +116,11 @@ std::string Tally::text() const {
     if (count == 0) return;
     text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(name);
   };
-  for (const auto& [outcome, name] : kOutcomeNames) add(of(outcome), name);
+  for (const auto& [outcome, name] : kOutcomeNames) {
+    add(of(outcome), name);
+    if (outcome != Outcome::kDone || at_max_events == 0) continue;
+    text += " (" + std::to_string(at_max_events) + " of them ended at max_events)";
+  }
   add(missing, "missing");
   return text.empty() ? "no cells" : text;
 }
@@ -116,6 +133,7 @@ Tally tally(const std::vector<PlanCell>& cells, const Settled& settled) {
       ++result.missing;
     } else {
       ++result.counts[static_cast<std::size_t>(found->second->outcome)];
+      if (ended_at_max_events(*found->second)) ++result.at_max_events;
     }
   }
   return result;

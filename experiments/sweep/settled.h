@@ -54,9 +54,10 @@ std::vector<Plan> plans_of(const std::vector<Attempt>& attempts,
 struct Tally {
   std::array<std::size_t, kOutcomeNames.size()> counts{};  // in the order of kOutcomeNames
   std::size_t missing = 0;
+  std::size_t at_max_events = 0;  // of those that are done: ended by the plan's max_events
   std::size_t of(Outcome outcome) const { return counts[static_cast<std::size_t>(outcome)]; }
   std::size_t cells() const;
-  // "12 done, 1 limit, 3 missing"; kinds without cells are left out.
+  // "12 done (2 of them ended at max_events), 1 limit, 3 missing"; kinds without cells are left out.
   std::string text() const;
 };
 Tally tally(const std::vector<PlanCell>& cells, const Settled& settled);

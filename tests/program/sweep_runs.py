@@ -99,6 +99,16 @@ def test_shards_and_jobs(program, source, folder):
     assert exact_content(folder / "both.sqlite") == expected
 
 
+def test_max_events(program, source, folder):
+    """Runs that the plan's max_events ended are done, and counted apart by run, status and merge."""
+    plan = write_plan(folder / "plan.json", [{"structure": "sorted_list", "workload": "uniform-square", "n": 20,
+                                              "max_events": [3, 4, 100000]}])
+    counts = "3 cells: 3 done (2 of them ended at max_events)\n"
+    assert sweep(program, "run", plan, "-o", folder / "out").stderr.endswith(": " + counts)
+    assert sweep(program, "status", folder / "out").stdout.endswith(": " + counts)
+    assert counts in sweep(program, "merge", folder / "out", "-o", folder / "out.sqlite").stdout
+
+
 def test_killed_at_random_points(program, source, folder):
     """kill -9 loses the running cells only, and the same commands go on."""
     plan, expected = reference(program, folder)

@@ -246,6 +246,26 @@ TEST_F(SweepAttempts, TheRestIsScaledByWhatIsDone) {
   EXPECT_DOUBLE_EQ(*expected_rest(plan_.cells, settled), 6.0 * 36);
 }
 
+// A run that the plan's max_events ended is done, but its results are those of a part.
+TEST_F(SweepAttempts, RunsThatEndedAtMaxEventsAreCounted) {
+  const Plan plan = parse_plan(
+      R"({"kinex_plan": 1, "name": "short", "blocks": [{"structure": "sorted_list", "workload": "uniform-square",
+          "n": 20, "seed": [1, 2], "max_events": [3, 100000]}]})",
+      "plan.json", PlanCheck::kScenes);
+  std::vector<Record> records;
+  for (const PlanCell& cell : plan.cells) {
+    records.push_back(record_of(cell, run_cell(parse_cell(cell.text, "cell")), 1));
+    EXPECT_EQ(records.back().outcome, Outcome::kDone);
+  }
+  Settled settled;
+  for (const Record& one : records) take(settled, one);
+  EXPECT_EQ(tally(plan.cells, settled).at_max_events, 2u);
+  EXPECT_EQ(tally(plan.cells, settled).text(), "4 done (2 of them ended at max_events)");
+  settled.erase(records.back().key);
+  EXPECT_THAT(tally(plan.cells, settled).text(),
+              HasSubstr(" of them ended at max_events), 1 missing"));
+}
+
 // Everything in the exact tables, row by row.
 std::string exact_tables(const std::string& database) {
   sqlite3* opened = nullptr;
