@@ -204,10 +204,14 @@ class Importer {
       throw InputError(file_, "line 1", problem,
                        near.empty() ? usual : near + " Otherwise give --ignore-columns");
     }
-    throw InputError(file_, "line 1", problem,
-                     "remove it, or name it with --heading or --bearing, or give --ignore-columns; "
-                     "a body that turns is "
-                     "written as traces, for no rotor that is polynomial turns at a constant rate");
+    std::string remedy =
+        "remove it, or name it with --heading or --bearing, or give --ignore-columns";
+    if (!form_.traces) {
+      remedy +=
+          "; a body that turns is written as traces, for no rotor that is polynomial turns at a "
+          "constant rate";
+    }
+    throw InputError(file_, "line 1", problem, remedy);
   }
 
   // The meanings that can be misspelt.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of rigid bodies: polygons, headings, and what is refused.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -203,6 +204,20 @@ TEST(CsvBodies, HeadingsAreRefusedWithARemedy) {
                      "--heading: the column \"vx\" has another meaning");
   EXPECT_INPUT_ERROR(import(table + "0\n", bodies(kSquare)),
                      "t.csv: line 1: the column \"h\" means nothing here; remove it, or name it");
+  // Traces are the remedy where there are velocities.
+  const auto said_of = [](const std::string& rows) {
+    try {
+      import(rows, bodies(kSquare));
+    } catch (const formats::InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing");
+  };
+  EXPECT_THAT(said_of(table + "0\n"),
+              testing::HasSubstr("; a body that turns is written as traces, for no rotor"));
+  EXPECT_THAT(said_of("id,t,x,y,h\na,0,0,0,0\na,1,0,0,0\n"),
+              testing::AllOf(testing::EndsWith("or give --ignore-columns"),
+                             testing::Not(testing::HasSubstr("traces"))));
   formats::ImportOptions points;
   points.heading = {"h", false};
   EXPECT_INPUT_ERROR(import(table + "0\n", points), "--heading: points have no heading; give");
