@@ -159,8 +159,11 @@ std::string plain_text(const formats::LogDifference& difference, const DiffOptio
   }
   text += how;
   if (difference.other_records != 0) {
-    text += formats::counted(difference.other_records, "record of a change is", "records of changes are") +
-            " in one log only\n";
+    text +=
+        formats::counted(difference.other_records,
+                         "record that is not compared (a rebuild, or a change of the scene) is",
+                         "records that are not compared (rebuilds, or changes of the scene) are") +
+        " in one log only\n";
   }
   text += after_text(difference.after_b, options.a, options.b) +
           after_text(difference.after_a, options.b, options.a);

@@ -137,6 +137,31 @@ TEST_F(LogEndings, LogsThatEndWithinALine) {
   }
 }
 
+// Records that diff does not compare are counted by what they are.
+TEST_F(LogEndings, DiffOfRecordsThatAreNotCompared) {
+  const auto log_of = [&](const std::string& name, const std::string& motion) {
+    const std::string scene = scratch_.file(name + ".json"), log = scratch_.file(name + ".log");
+    write_file(
+        scene,
+        "{\"kinex\": 1, \"dimension\": 1, \"time\": {\"start\": 0, \"end\": 4}, \"maintain\": "
+        "[\"sorted_list\"], \"objects\": [{\"id\": \"a\", \"motion\": " +
+            motion + "}, {\"id\": \"b\", \"motion\": [[9]]}]}");
+    EXPECT_EQ(run_kinex({"run", scene, "--events", log}).exit_code, 0);
+    return log;
+  };
+  const std::string none = log_of("none", "[[0]]");
+  const std::string one =
+      log_of("one", R"([{"to": 1, "coordinates": [[0]]}, {"from": 1, "coordinates": [[0]]}])");
+  const std::string two = log_of("two", R"([{"to": 1, "coordinates": [[0]]}, {"from": 1, "to": 2,
+      "coordinates": [[0]]}, {"from": 2, "coordinates": [[0]]}])");
+  EXPECT_THAT(run_kinex({"diff", none, one}).out,
+              HasSubstr("\n1 record that is not compared (a rebuild, or a change of the scene) is "
+                        "in one log only\n"));
+  EXPECT_THAT(run_kinex({"diff", none, two}).out,
+              HasSubstr("\n2 records that are not compared (rebuilds, or changes of the scene) are "
+                        "in one log only\n"));
+}
+
 // check says what it could not check of a log whose instants are not exact, or are not there.
 TEST_F(LogEndings, WhatIsNotChecked) {
   const auto checked = [&](const std::vector<std::string>& how,
