@@ -252,6 +252,18 @@ void EventLog::append_instant(Arithmetic& arithmetic) {
   pending_ += instant_;
 }
 
+// "corrupt", if there is a corrupt structure.
+void EventLog::write_corrupt(JsonWriter& json) const {
+  bool some = false;
+  for (StructureId id = 0; id < simulator_.structures(); ++id) {
+    if (!simulator_.ledger(id).corrupt) continue;
+    if (!some) json.key("corrupt").begin_object();
+    some = true;
+    json.key(simulator_.label(id)).string(simulator_.ledger(id).corruption);
+  }
+  if (some) json.end_object();
+}
+
 void EventLog::finish(RunStatus status) {
   instant_ended();
   if (file_ == nullptr) return;
@@ -264,6 +276,7 @@ void EventLog::finish(RunStatus status) {
     json.string(simulator_.reached().to_string());
   }
   json.key("records").number(records_).key("external").number(external_);
+  write_corrupt(json);
   json.key("digest").string(digest()).key("seal");
   seal_.add(line_ + '"');
   json.string(seal_.hex()).end_object();

@@ -50,6 +50,9 @@
 //   "end": "done", "limit" or "interrupted"
 //   "reached": T or null    the run is valid up to this time; null: for all time (no end)
 //   "records": N, "external": N
+//   "corrupt": {LABEL: TEXT, ..}    structures that an inexact arithmetic led into an impossible
+//       state, in the order of the run, each with what was found and when; they have no records
+//       from then on. Only if there are any
 //   "digest": HEX           see log_digest.h
 //   "seal": HEX             SHA-256 of the file up to and including the quotation mark before it
 #ifndef KINEX_EXPERIMENTS_FORMATS_EVENT_LOG_H
@@ -71,6 +74,8 @@
 #include "experiments/formats/sha256.h"
 
 namespace kinex::formats {
+
+class JsonWriter;
 
 inline constexpr std::string_view kLogFormat = "kinex-log";
 inline constexpr int kLogVersion = 2;
@@ -104,6 +109,7 @@ class EventLog final : public EventSink {
   void append_ids(std::span<const ObjectId> ids);
   void append_side(std::span<const ObjectId> ids, StructureId structure);
   void append_instant(Arithmetic& arithmetic);
+  void write_corrupt(JsonWriter& json) const;
   void write_line();
 
   const Simulator& simulator_;

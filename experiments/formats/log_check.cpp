@@ -80,10 +80,12 @@ class Checker {
                       "is there");
     }
     verdict_.status = end->status;
+    verdict_.corrupt = end->corrupt;
     if (std::find(std::begin(kStatuses), std::end(kStatuses), end->status) == std::end(kStatuses)) {
       complain(quoted(end->status) + " is no way to end; it is done, limit or interrupted");
     }
     check_reached(*end);
+    check_corrupt(*end);
     check_count("records", end->records, verdict_.records);
     check_count("external records", end->external, verdict_.external);
     if (end->digest != verdict_.digest) {
@@ -394,6 +396,17 @@ class Checker {
       before = *end.reached < last_lower_;
     }
     if (before) complain("\"reached\" is before the time of the last record");
+  }
+
+  void check_corrupt(const LogEnd& end) {
+    for (const LogCorruption& one : end.corrupt) {
+      if (structures_.count(one.label) == 0) {
+        complain("\"corrupt\" names " + quoted(one.label) +
+                 ", a structure that is not in the header");
+      } else if (header_.exact) {
+        complain(quoted(one.label) + " is corrupt in an exact arithmetic, where nothing can be");
+      }
+    }
   }
 
   void check_count(const std::string& what, std::uint64_t said, std::uint64_t right) {

@@ -30,6 +30,7 @@ struct LogVerdict {
   ExternalByUse external_by_use;   // the same in two parts
   std::uint64_t instants = 0;      // distinct (logs with names only)
   std::string status;              // of the last line; empty if there is none
+  std::vector<LogCorruption> corrupt;  // as the last line says
   std::string digest;              // recomputed
   bool with_scene = false;         // it was compared with its scene
   std::uint64_t certificates = 0;  // certificates checked at level 2

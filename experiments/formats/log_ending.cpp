@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/numbers/time_text.h"
+#include "experiments/formats/plain_text.h"
 
 namespace kinex::formats {
 
@@ -19,6 +20,7 @@ LogEnding ending_of(const LogReader& reader) {
   if (reader.end()) {
     ending.status = reader.end()->status;
     ending.reached = reader.end()->reached;
+    ending.corrupt = reader.end()->corrupt;
   }
   return ending;
 }
@@ -50,6 +52,15 @@ std::string ending_note(const LogEnding& ending, const std::string& file) {
   }
   return file + ": the log " + ending_text(ending) + "; run the scene " +
          (ending.status == "limit" ? "with a larger limit" : "again") + " for the rest";
+}
+
+std::vector<std::string> corruption_texts(const std::vector<LogCorruption>& corrupt) {
+  std::vector<std::string> texts;
+  for (const LogCorruption& one : corrupt) {
+    texts.push_back(plain(one.label + " is corrupt: " + one.text) +
+                    "; it has no records from then on");
+  }
+  return texts;
 }
 
 }  // namespace kinex::formats

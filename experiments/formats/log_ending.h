@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/numbers/rational.h"
 #include "experiments/formats/log_reader.h"
@@ -16,6 +17,7 @@ struct LogEnding {
   std::string status = "cut off";   // or as the last line says: done, limit, interrupted
   std::optional<Rational> reached;  // nullopt: no end, or cut off
   std::size_t cut_line = 0;         // the line within which it was cut off; 0: none
+  std::vector<LogCorruption> corrupt;  // structures without records from some time on
 
   bool whole() const { return status == "done"; }
 };
@@ -26,6 +28,8 @@ LogEnding ending_of(const LogReader& reader);
 std::string ending_text(const LogEnding& ending);
 // The same for a message, with a remedy; empty for a whole log.
 std::string ending_note(const LogEnding& ending, const std::string& file);
+// A line for each corrupt structure: "LABEL is corrupt: TEXT; it has no records from then on".
+std::vector<std::string> corruption_texts(const std::vector<LogCorruption>& corrupt);
 
 }  // namespace kinex::formats
 

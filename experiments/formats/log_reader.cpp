@@ -63,6 +63,18 @@ std::string read_digest(const JsonNode& node) {
   return std::string(text);
 }
 
+std::vector<LogCorruption> read_corrupt(const JsonNode& node) {
+  if (!node.is(JsonValue::Kind::kObject) || node.size() == 0) {
+    node.refuse("the corrupt structures", "write {LABEL: TEXT, ..}, or leave it out");
+  }
+  std::vector<LogCorruption> result;
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    if (node.at(i).string().empty()) node.at(i).refuse("a text", "write what was found");
+    result.push_back({std::string(node.value().key(i)), std::string(node.at(i).string())});
+  }
+  return result;
+}
+
 std::string read_name(const JsonNode& node) {
   if (node.string().empty()) node.refuse("a name", "write at least one character");
   return std::string(node.string());
@@ -326,13 +338,14 @@ bool LogReader::next(LogRecord& record) {
   const JsonSource source{file_, line, line_};
   const JsonNode node(tree, source);
   if (node.find("end")) {
-    require_members(node, {"end", "reached", "records", "external", "digest", "seal"});
+    require_members(node, {"end", "reached", "records", "external", "corrupt", "digest", "seal"});
     end_.emplace();
     end_->status = node.member("end").string();
     const JsonNode reached = node.member("reached");
     if (!reached.is(JsonValue::Kind::kNull)) end_->reached = read_exact(reached);
     end_->records = read_count(node.member("records"));
     end_->external = read_count(node.member("external"));
+    if (const auto corrupt = node.find("corrupt")) end_->corrupt = read_corrupt(*corrupt);
     end_->digest = read_digest(node.member("digest"));
     const JsonNode seal = node.member("seal");
     end_->seal = read_digest(seal);

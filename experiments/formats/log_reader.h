@@ -71,11 +71,18 @@ struct LogRecord {
   LogInstant time;
 };
 
+// A structure that an inexact arithmetic led into an impossible state, and what the run found.
+struct LogCorruption {
+  std::string label, text;
+  bool operator==(const LogCorruption&) const = default;
+};
+
 struct LogEnd {
   std::string status;
   std::optional<Rational> reached;
   std::uint64_t records = 0;
   std::uint64_t external = 0;
+  std::vector<LogCorruption> corrupt;
   std::string digest;
   std::string seal;
   std::string_view sealed;  // the text that the seal covers

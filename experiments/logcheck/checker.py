@@ -11,7 +11,7 @@ from itertools import chain
 
 from counted import count
 from instants import check_intervals, read_instants
-from log import Wrong
+from log import Wrong, printable
 from predicates import LEAST_AXES, Key, formula_of, known
 from progress import Progress
 from registry import is_partial_hull, reads_partial_hull, replay_of
@@ -40,7 +40,8 @@ class Checker:
 
     def run(self):
         log = self.log
-        self.done[0] = count(len(log.records), "record")
+        self.done[0] = count(len(log.records), "record") + "".join(
+            "; " + printable("%s is corrupt: %s" % item) for item in log.corrupt.items())
         if self.scene is not None:
             self.check_scene()
         if not log.exact:

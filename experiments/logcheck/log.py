@@ -79,6 +79,11 @@ def require(condition, what):
         raise Wrong(what)
 
 
+def printable(text):
+    """For a report: what a terminal obeys is written out."""
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
+
+
 def is_count(value):
     return isinstance(value, int) and not isinstance(value, bool) and value >= 0
 
@@ -245,9 +250,10 @@ class Log:
         r.time = time
 
     def read_last(self, tree, lines, number):
-        members(tree, ["end", "reached", "records", "external", "digest", "seal"], [], "the last line")
+        members(tree, ["end", "reached", "records", "external", "digest", "seal"], ["corrupt"], "the last line")
         require(tree["end"] in ("done", "limit", "interrupted"), "the run ended neither done nor stopped")
         self.end = tree["end"]
+        self.corrupt = self.read_corrupt(tree["corrupt"]) if "corrupt" in tree else {}
         self.reached = None if tree["reached"] is None else rational(tree["reached"])
         require(tree["records"] == len(self.records) and is_count(tree["records"]),
                 "%s records, says the last line; there are %d" % (json.dumps(tree["records"]), len(self.records)))
@@ -263,6 +269,15 @@ class Log:
         seal = hashlib.sha256(b"".join(line + b"\n" for line in lines[:-1]) + text[:place]).hexdigest()
         require(tree["seal"] == seal and text[place:].strip() == seal.encode() + b'"}',
                 "the seal is broken: the file is not as it was written")
+
+    def read_corrupt(self, tree):
+        """The structures that an inexact arithmetic led into an impossible state, each with what was found."""
+        require(isinstance(tree, dict) and tree and all(isinstance(text, str) and text for text in tree.values()),
+                "corrupt is not an object of labels and texts")
+        for label in tree:
+            require(label in self.labels, "corrupt names %s, and the header has no such structure" % json.dumps(label))
+        require(not self.exact, "a structure is corrupt in an exact arithmetic, where nothing can be")
+        return tree
 
     def digest(self):
         """The digest covers the events and their order, not their times."""

@@ -14,6 +14,7 @@
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/log_check.h"
+#include "experiments/formats/log_ending.h"
 #include "experiments/formats/model_text.h"
 #include "experiments/formats/plain_text.h"
 #include "experiments/formats/scene_reader.h"
@@ -103,6 +104,9 @@ std::string log_text(const formats::LogVerdict& verdict, const std::string& no_s
   }
   text += "\ndigest    " + verdict.digest + "\n";
   text += "run       " + (verdict.status.empty() ? "cut off" : verdict.status) + "\n";
+  for (const std::string& line : formats::corruption_texts(verdict.corrupt)) {
+    text += "          " + line + "\n";
+  }
   if (verdict.problems.empty()) text += "verified  " + levels_text(verdict, formats::plain(no_scene));
   return text;
 }
@@ -126,7 +130,9 @@ std::string log_json(const formats::LogVerdict& verdict) {
   json.key("unchecked").number(verdict.unchecked.count());
   json.key("digest").string(verdict.digest).key("status");
   json.string(verdict.status.empty() ? "cut off" : verdict.status);
-  json.key("problems").begin_array();
+  json.key("corrupt").begin_object();
+  for (const formats::LogCorruption& one : verdict.corrupt) json.key(one.label).string(one.text);
+  json.end_object().key("problems").begin_array();
   for (const std::string& problem : verdict.problems) json.string(problem);
   json.end_array().end_object();
   return text + "\n";

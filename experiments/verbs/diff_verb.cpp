@@ -137,6 +137,9 @@ std::string plain_text(const formats::LogDifference& difference, const DiffOptio
   const formats::LogEnding &a = difference.ending_a, &b = difference.ending_b;
   for (const auto& [file, ending] : {std::pair(options.a, a), {options.b, b}}) {
     if (!ending.whole()) text += file + " " + formats::ending_text(ending) + "\n";
+    for (const std::string& one : formats::corruption_texts(ending.corrupt)) {
+      text += file + ": " + one + "\n";
+    }
   }
   if (a.whole() && b.whole() && a.reached != b.reached) {
     text += options.a + " ends " + end_text(a) + ", " + options.b + " " + end_text(b) + "\n";
@@ -218,6 +221,12 @@ std::string json_text(const formats::LogDifference& difference, const DiffOption
   for (const formats::LogEnding* ending : {&a, &b}) {
     ending->reached ? json.quoted(*ending->reached) : json.null();
   }
+  json.end_array().key("corrupt").begin_array();
+  for (const formats::LogEnding* ending : {&a, &b}) {
+    json.begin_object();
+    for (const formats::LogCorruption& one : ending->corrupt) json.key(one.label).string(one.text);
+    json.end_object();
+  }
   json.end_array();
   json.key("events").begin_array().number(difference.events_a).number(difference.events_b);
   json.end_array().key("first").number(difference.first);
@@ -279,7 +288,9 @@ void add_diff_verb(CLI::App& app, int& exit_code) {
       "A log that was cut off, or stopped at a limit, is compared as far as it goes,\n"
       "and named. If one log ends earlier, the later records of the other are counted\n"
       "separately: they are neither missing nor invented, but the logs differ.\n"
-      "\"status\", \"reached\" and \"after_end\" of --json say how both logs end.\n"
+      "A structure that became corrupt is named: it has no records from then on, and\n"
+      "those of the other log count as missing or invented.\n"
+      "\"status\", \"reached\", \"corrupt\" and \"after_end\" of --json say how both logs end.\n"
       "With --attributes external events alone are compared, by what they change, those\n"
       "at one instant in no order: structures for one attribute (kinex list structures\n"
       "has their groups) agree, whatever their certificates.\n"

@@ -48,8 +48,12 @@ void show_log(const LogOptions& options, const Voice& voice) {
     voice.note(std::to_string(table.shown) + " of " +
                formats::counted(table.records, "log record", "log records"));
   }
-  const std::string note = formats::ending_note(formats::ending_of(reader), options.file);
+  const formats::LogEnding ending = formats::ending_of(reader);
+  const std::string note = formats::ending_note(ending, options.file);
   if (!note.empty()) voice.note(note);
+  for (const std::string& one : formats::corruption_texts(ending.corrupt)) {
+    voice.note(options.file + ": " + one);
+  }
 }
 
 }  // namespace

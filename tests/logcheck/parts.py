@@ -342,6 +342,26 @@ class CommandLine(unittest.TestCase):
         code, text = self.run_it("--levels", "0-4")
         self.assertEqual(code, 0, text)
 
+    def test_a_structure_that_became_corrupt(self):
+        inexact = {"header": {"exact": False, "arithmetic": "double"}, "record": {"time": {"decimal": "1.00000000000"}}}
+        text = "no end of repairs at one instant (at t = 1)"
+        self.write(last={"corrupt": {"sorted_list": text}}, **inexact)
+        code, said = self.run_it()
+        self.assertEqual(code, 0, said)
+        self.assertIn(": 1 record; sorted_list is corrupt: %s\n" % text, said)
+        self.assertIn("; sorted_list is corrupt: " + text, json.loads(self.run_it("--json")[1])["levels"][0]["detail"])
+        self.write(last={"corrupt": {"sorted_list": "\x1b[1m"}}, **inexact)
+        self.assertIn("; sorted_list is corrupt: \\x1b[1m\n", self.run_it()[1])
+        for corrupt in ({}, [], None, {"sorted_list": ""}, {"sorted_list": 1}, {"list": text}):
+            self.write(last={"corrupt": corrupt}, **inexact)
+            code, said = self.run_it()
+            self.assertEqual(code, 1, said)
+            self.assertIn("two.jsonl:3: corrupt ", said)
+        self.write(last={"corrupt": {"sorted_list": text}})
+        code, said = self.run_it()
+        self.assertEqual(code, 1)
+        self.assertIn("corrupt in an exact arithmetic", said)
+
     def test_a_broken_seal(self):
         self.write()
         self.log.write_text(self.log.read_text().replace('"kinex 0"', '"kinex 1"'))

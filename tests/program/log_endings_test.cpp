@@ -137,6 +137,54 @@ TEST_F(LogEndings, LogsThatEndWithinALine) {
   }
 }
 
+// The run goes on to its end without a structure that became corrupt: the last line says so, and all that read it.
+TEST_F(LogEndings, StructuresThatBecameCorrupt) {
+  const std::string grid = scratch_.file("grid.json"), exact = scratch_.file("exact.log"),
+                    corrupt = scratch_.file("corrupt.log"), page = scratch_.file("page.html");
+  ASSERT_EQ(run_kinex({"gen", "grid", "--n", "36", "-o", grid}).exit_code, 0);
+  const auto run = [&](const std::string& arithmetic, const std::string& log) {
+    return run_kinex({"run", grid, "--maintain", "delaunay_2,sorted_list", "--arithmetic",
+                      arithmetic, "--events", log});
+  };
+  ASSERT_EQ(run("exact", exact).exit_code, 0);
+  const Finished broken = run("double", corrupt);
+  ASSERT_EQ(broken.exit_code, 1);
+  const std::string begin = "kinex: delaunay_2 is corrupt: ";
+  const std::size_t place = broken.err.find(begin);
+  ASSERT_NE(place, std::string::npos) << broken.err;
+  const std::size_t end = broken.err.find('\n', place);
+  const std::string text = broken.err.substr(place + begin.size(), end - place - begin.size());
+  EXPECT_THAT(text, testing::ContainsRegex(" \\(at t = [0-9.]+\\)$"));
+  const std::string member = "\"corrupt\": {\"delaunay_2\": \"" + text + "\"}";
+  EXPECT_THAT(
+      read_file(corrupt),
+      testing::ContainsRegex("\n\\{\"end\": \"done\", \"reached\": \"4\", \"records\": [0-9]+, "
+                             "\"external\": [0-9]+, \"corrupt\": [^\n]*\n$"));
+  EXPECT_THAT(read_file(corrupt), HasSubstr(", " + member + ", \"digest\": "));
+  EXPECT_THAT(read_file(exact), Not(HasSubstr("corrupt")));
+
+  const std::string note = "delaunay_2 is corrupt: " + text + "; it has no records from then on\n";
+  const Finished checked = run_kinex({"check", corrupt, "--scene", grid});
+  EXPECT_EQ(checked.exit_code, 0);
+  EXPECT_THAT(checked.out, HasSubstr("\nrun       done\n          " + note));
+  EXPECT_THAT(run_kinex({"check", "--json", corrupt}).out,
+              HasSubstr(", " + member + ", \"problems\": []"));
+  EXPECT_THAT(run_kinex({"check", "--json", exact}).out,
+              HasSubstr(", \"corrupt\": {}, \"problems\": []"));
+  EXPECT_THAT(run_kinex({"log", corrupt}).err,
+              testing::EndsWith("kinex: " + corrupt + ": " + note));
+  EXPECT_EQ(run_kinex({"log", exact}).err, "");
+  EXPECT_THAT(run_kinex({"diff", exact, corrupt}).out,
+              StartsWith(corrupt + ": " + note + "first difference"));
+  EXPECT_THAT(run_kinex({"diff", corrupt, exact}).out,
+              StartsWith(corrupt + ": " + note + "first difference"));
+  EXPECT_THAT(
+      run_kinex({"diff", "--json", exact, corrupt}).out,
+      HasSubstr("\"corrupt\": [{}, " + member.substr(member.find('{')) + "], \"events\": "));
+  EXPECT_EQ(run_kinex({"view", exact, "--scene", grid, "--with", corrupt, "-o", page}).exit_code,
+            0);
+}
+
 // Records that diff does not compare are counted by what they are.
 TEST_F(LogEndings, DiffOfRecordsThatAreNotCompared) {
   const auto log_of = [&](const std::string& name, const std::string& motion) {
