@@ -388,9 +388,9 @@ void add_run_verb(CLI::App& app, int& exit_code) {
     explain->excludes(verb->get_option(name));
   }
   verb->add_option("--max-events", options->max_events,
-                   "Give up after this number of certificate failures (no limit)");
+                   "Give up after this number of certificate failures (0, no limit)");
   verb->add_option("--max-seconds", options->max_seconds,
-                   "Give up after this time, reading included (no limit)");
+                   "Give up after this time, reading included (0, no limit)");
   verb->add_flag("--force", options->force, "Replace output files that exist");
   add_voice(*verb,
             "Print no report, only errors and the output of --at, --query, --json and --events -",
