@@ -70,8 +70,8 @@ void FlatRegular::audit(const Snapshot& snapshot, AuditReport& report) const {
       },
       {"below the plane: points", "in the lifted plane, and below by its id: points"}, report);
   if (!ties || *ties || edges() == edges_of(witness)) return;
-  // Of points in one lifted plane the witness may have other edges. In a large scene nobody has looked at
-  // hidden points.
+  // Of points in one lifted plane the witness may have other edges. In a large scene hidden
+  // points have not been compared.
   bool is_level = false;
   for (Cell t = 0; t < store_.triangle_capacity(); ++t) {
     if (!store_.live(t) || store_.ghost(t)) continue;

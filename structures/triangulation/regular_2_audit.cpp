@@ -175,7 +175,7 @@ void Regular2::audit(const Snapshot& snapshot, AuditReport& report) const {
   report.check(area == whole, [] { return std::string("the triangles do not fill the hull"); });
   if (!ties && cells == theirs.size() && common == cells) return;
   // Of points in one lifted plane the witness may make other triangles, and keep another one of a vertex and
-  // hidden points, at which nobody has looked in a large scene; the planes are the same.
+  // hidden points, which are not compared in a large scene; the planes are the same.
   std::set<Centre> ours, of_witness;
   for (const Corners& t : upright) ours.insert(centre_of(points, t));
   for (const Corners& t : theirs) of_witness.insert(centre_of(points, t));

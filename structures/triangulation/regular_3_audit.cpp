@@ -197,7 +197,7 @@ void Regular3::audit(const Snapshot& snapshot, AuditReport& report) const {
   report.check(filled == whole, [] { return std::string("the cells do not fill the hull"); });
   if (!ties && cells == theirs.size() && common == cells) return;
   // Of points in one lifted plane the witness may make other cells, and keep another one of a vertex and
-  // hidden points, at which nobody has looked in a large scene; the planes are the same.
+  // hidden points, which are not compared in a large scene; the planes are the same.
   std::set<Centre> ours, of_witness;
   for (const Quad& quad : upright) ours.insert(centre_of(points, quad));
   for (const Quad& quad : theirs) of_witness.insert(centre_of(points, quad));

@@ -163,7 +163,7 @@ class App {
     this.u = timeOf(FIRST, this.k);
     this.changed();
   }
-  // What was asked for by number, from outside: one that is not there is told.
+  // What was asked for by number, from outside. The page says so if there is no such one.
   goTo(text) {
     const k = /^\s*\d+\s*$/.test(text) ? +text : NaN;
     if (!Number.isNaN(k)) this.setEvent(k);

@@ -250,7 +250,7 @@ function listenToPointers() {
 }
 
 // #event=K opens the page at the state after event K; &structure=LABEL chooses what is shown, &view=YAW,PITCH
-// how a picture of space is turned. A number that no log record has is told on the page.
+// how a picture of space is turned. The page says so if no log record has the number.
 function fromHash() {
   const wanted = new URLSearchParams(location.hash.slice(1));
   const structure = DATA.structures.findIndex(s => s.label === wanted.get("structure"));
