@@ -29,19 +29,9 @@ def fail(text):
     sys.exit(f"view_marks: {text}")
 
 
-def look(viewer, name, scene):
-    """A page of a scene, or of what `gen` makes."""
-    if isinstance(scene, dict):
-        (viewer.folder / f"{name}.json").write_text(json.dumps(scene))
-    else:
-        viewer.kinex("gen", *scene, "-o", f"{name}.json")
-    viewer.kinex("view", f"{name}.json", "-o", f"{name}.html")
-    viewer.open(f"{name}.html")
-
-
 def check_cell(viewer):
     """The corners of the cell are as far from the site as from two neighbours, or beyond the picture; no site is nearer."""
-    look(viewer, "cell", ["uniform-square", "--n", "12", "--maintain", "voronoi_cell_2"])
+    viewer.look("cell", ["uniform-square", "--n", "12", "--maintain", "voronoi_cell_2"])
     corners = 0
     for u in (0.05, 0.3, 0.6, 0.9):
         cell, points, (left, top, wide, high), marked = viewer.ask(
@@ -66,7 +56,7 @@ def check_cell(viewer):
 
 def check_colours(viewer):
     """Tones and outlines differ, the query is no site, and the legend explains all."""
-    look(viewer, "colours", COLOURS)
+    viewer.look("colours", COLOURS)
     viewer.say("app.setStructure(DATA.structures.findIndex(s => s.name === 'nearest_site')); app.setEvent(0);")
     signs = viewer.ask("meaningsOfMarks(app)")
     texts = [text for _, _, text in signs]
@@ -81,7 +71,7 @@ def check_colours(viewer):
 
 def check_lines(viewer):
     """Points and most crossings are in the frame, and of every log record the lines that it names."""
-    look(viewer, "turns", TURNS)
+    viewer.look("turns", TURNS)
     for k in (0, 1):
         x0, x1, y0, y1 = viewer.ask(f"(app.setEvent({k}), app.draw(), app.drawing.box)")
         unit = viewer.ask("DATA.scale")
@@ -89,7 +79,7 @@ def check_lines(viewer):
             fail(f"the frame is {x0} .. {x1}, {y0} .. {y1} times {unit}")
     for name, scene in (("lines", ["random-lines", "--n", "6", "--maintain", "trapezoids_2"]),
                         ("small", ["small-lines", "--n", "8"])):
-        look(viewer, name, scene)
+        viewer.look(name, scene)
         # Of how many crossings are in sight, and how many named lines are not.
         seen = viewer.ask(
             "(() => { let all = 0, there = 0, named = 0, lost = 0; for (let k = BEFORE; k <= LAST; k += 7) {"
@@ -119,7 +109,7 @@ def check_reports(viewer):
 
 def check_curves(viewer):
     """Over time curves have names, and the edges of a tree are wide while they are in it."""
-    look(viewer, "graph", ["random-graph", "--n", "8", "--m", "5", "--maintain", "graph_mst_cycles"])
+    viewer.look("graph", ["random-graph", "--n", "8", "--m", "5", "--maintain", "graph_mst_cycles"])
     svg = viewer.ask("(app.setEvent(1), app.draw(), pictureAsSvg(700, 500))")
     names = viewer.ask("DATA.ids")
     if not all(f">{name}<" in svg for name in names):
@@ -128,7 +118,7 @@ def check_curves(viewer):
     first, second = viewer.ask("[timeOf(FIRST, 1), timeOf(FIRST, 2)]")
     if len(spans) != 6 or sorted({u for _, *ends in spans for u in ends}) != [0, first, second, 1]:
         fail(f"the edges of the tree are {spans}")
-    look(viewer, "discs", ["random-discs", "--n", "5", "--dimension", "1"])
+    viewer.look("discs", ["random-discs", "--n", "5", "--dimension", "1"])
     if len(viewer.ask("(app.setEvent(2), app.draw(), spansOf(FIRST, 0, 0, 1))")) == 0:
         fail("no discs meet")
 
@@ -150,7 +140,7 @@ def check_walls(viewer):
     """The certificate that fails next at a wall of a grid is drawn: the wall where it is, a ring around the object; both are named."""
     for name, scene in (("grid", ["small-discs", "--n", "10", "--maintain", "disc_pairs_grid"]),
                         ("bins", ["uniform-square", "--n", "20", "--seed", "2", "--maintain", "closest_pair_bins"])):
-        look(viewer, name, scene)
+        viewer.look(name, scene)
         axes = set()
         for k in range(0, min(60, viewer.ask("LAST"))):
             seen = viewer.ask(f"{DRAWN}({k}, 'next')")
@@ -181,14 +171,14 @@ def check_names(viewer):
     few = {"kinex": 1, "name": "come and go", "dimension": 2, "time": {"start": 0, "end": 10}, "maintain": ["delaunay_2"],
            "objects": [{"id": f"p{i}", "motion": [{"from": f"{i}/8", "to": f"{i + 8}/8",
                                                    "coordinates": [[i * 37 % 11, 1], [i * 17 % 13, -1]]}]} for i in range(72)]}
-    look(viewer, "few", few)
+    viewer.look("few", few)
     for k in range(viewer.ask("LAST")):
         seen = viewer.ask(f"{DRAWN}({k}, 'next')")
         there = viewer.ask("[...alive.keys()].filter(i => alive[i]).map(nameOf)")
         missing = [name for name in there if name not in seen["texts"]]
         if len(missing) > len(there) / 3 or set(seen["ids"]) & set(missing):
             fail(f"few, record {k}: {missing} of {there} are not named")
-    look(viewer, "many", ["uniform-square", "--n", "90", "--maintain", "delaunay_2"])
+    viewer.look("many", ["uniform-square", "--n", "90", "--maintain", "delaunay_2"])
     for k in range(0, 60, 7):
         seen = viewer.ask(f"{DRAWN}({k}, 'next')")
         if not set(seen["ids"]) <= set(seen["texts"]) or not seen["ids"] or seen["texts"].count("p0") > 1:
@@ -197,7 +187,7 @@ def check_names(viewer):
 
 def check_marked_lines(viewer):
     """Lines of the last record are red, whatever certificates lie on them, and rings are on top of lines."""
-    look(viewer, "arrangement", ["random-lines", "--n", "8", "--maintain", "line_arrangement_2"])
+    viewer.look("arrangement", ["random-lines", "--n", "8", "--maintain", "line_arrangement_2"])
     seen = 0
     for k in range(1, 80, 3):
         drawn = viewer.ask(
@@ -217,7 +207,7 @@ def check_marked_lines(viewer):
 
 def check_roles(viewer):
     """An object that stands in several places of a certificate has a row for each of them."""
-    look(viewer, "gaps", ["gaps-along-row", "--n", "4", "--m", "4"])
+    viewer.look("gaps", ["gaps-along-row", "--n", "4", "--m", "4"])
     shared = 0
     for k in range(viewer.ask("LAST")):
         seen = viewer.ask(
@@ -242,7 +232,7 @@ def check_frame(viewer):
     pair = {"kinex": 1, "name": "pair", "dimension": 2, "time": {"start": 0, "end": 4}, "maintain": ["closest_pair_delaunay"],
             "objects": [{"id": "a", "motion": [[0], [0]]}, {"id": "b", "motion": [[0], [10, 1]]},
                         {"id": "c", "motion": [[40, -1], [5]]}, {"id": "d", "motion": [[70], [1]]}]}
-    look(viewer, "pair", pair)
+    viewer.look("pair", pair)
     for u in (0, 0.3, 0.7, 1):
         (x, y), radius, (left, top, wide, high) = viewer.ask(
             "(() => { app.setStructure(DATA.structures.findIndex(s => s.role === 'diameter'));"
@@ -254,7 +244,7 @@ def check_frame(viewer):
 
 def check_feature_names(viewer):
     """Names of the features of two bodies cover no feature and no other name, and no leader runs through one."""
-    look(viewer, "near", ["polygon-spin-orbit", "--n", "24", "--m", "24", "--separation", "1/10", "--maintain", "separation_mixed"])
+    viewer.look("near", ["polygon-spin-orbit", "--n", "24", "--m", "24", "--separation", "1/10", "--maintain", "separation_mixed"])
     names = 0
     for k in range(1, viewer.ask("LAST"), 3):
         placed = viewer.ask(f"(app.setEvent({k}), app.draw(), app.drawing.placed)")

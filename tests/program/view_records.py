@@ -45,13 +45,8 @@ def fail(text):
 
 def look(viewer, name, scene):
     """The log records of a scene, or of what `gen` makes; its page is open."""
-    if isinstance(scene, dict):
-        (viewer.folder / f"{name}.json").write_text(json.dumps(scene))
-    else:
-        viewer.kinex("gen", *scene, "-o", f"{name}.json")
+    viewer.look(name, scene)
     viewer.kinex("run", f"{name}.json", "--events", f"{name}.jsonl", "--summary", f"{name}.summary.json", "--audit", "none")
-    viewer.kinex("view", f"{name}.json", "-o", f"{name}.html")
-    viewer.open(f"{name}.html")
     return [json.loads(line) for line in (viewer.folder / f"{name}.jsonl").read_text().splitlines()][1:-1]
 
 

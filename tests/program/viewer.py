@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A page of `kinex view` in a browser, as the tests of pages drive it."""
+import json
 import pathlib
 import subprocess
 
@@ -19,6 +20,15 @@ class Viewer:
     def open(self, name):
         self.window.open((self.folder / name).as_uri())
         self.ask(READY)
+
+    def look(self, name, scene):
+        """Opens the page of a scene, or of what `gen` makes."""
+        if isinstance(scene, dict):
+            (self.folder / f"{name}.json").write_text(json.dumps(scene))
+        else:
+            self.kinex("gen", *scene, "-o", f"{name}.json")
+        self.kinex("view", f"{name}.json", "-o", f"{name}.html")
+        self.open(f"{name}.html")
 
     def ask(self, expression):
         return self.window.evaluate(expression)
