@@ -6,7 +6,6 @@ usage: mutations.py PROGRAM LOGCHECK_FOLDER LOGS [STRUCTURE,...|all [SEED]]
 Makes LOGS random runs, of all structures (or of these) in turn, from SEED (default: a fixed one), and applies every kind
 of change below to each log, at a random place where it is possible. LOGS may be "each": two short logs of each
 structure.
-Exit code 77: the program writes logs of version 1.
 Internal events that the checker reports as not followed (those of bodies, and of hulls with identical ties) are left
 alone. An accepted log that means the same as the original one (see equivalent) is counted apart, and so is one within a
 limit of the checker that its README states.
@@ -281,7 +280,7 @@ def followed_records(done, records):
 def main():
     program, folder = sys.argv[1:3]
     modules = logs.checker(folder)
-    logs.skip_old(program)
+    logs.require_version(program)
     rng = random.Random(int(sys.argv[5]) if len(sys.argv) > 5 else 20261122)
     made, refused, same, accepted = (collections.Counter() for _ in range(4))
     reasons = collections.Counter()
@@ -330,6 +329,8 @@ def main():
               f"{accepted[name]:4} accepted")
     for why, times in reasons.items():
         print(f"  accepted as {why}: {times}")
+    if sum(made.values()) < 5 * count:
+        sys.exit("too few changes were possible")
     sys.exit(1 if accepted else 0)
 
 

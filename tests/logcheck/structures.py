@@ -3,7 +3,7 @@
 
 usage: structures.py PROGRAM LOGCHECK_FOLDER [STRUCTURE,...|all [SHIFT]]
 
-Exit code 77: the program writes logs of version 1. Logs of n = 8 (points) or 3 to 4 (bodies) at levels 0 to 4, and
+Logs of n = 8 (points) or 3 to 4 (bodies) at levels 0 to 4, and
 of n = 5 at level 5 too. Of the families of points one in four is tried at the larger size and one in four at the
 smaller one; of those in space, and of bodies, one in two. The name of a structure and SHIFT decide which: four SHIFTs
 that follow each other try all.
@@ -67,7 +67,7 @@ def main():
     chosen = sys.argv[3].split(",") if len(sys.argv) > 3 and sys.argv[3] != "all" else known.all
     shift = int(sys.argv[4]) if len(sys.argv) > 4 else 0
     modules = logs.checker(folder)
-    logs.skip_old(program)
+    logs.require_version(program)
     tried, levels, wrong = collections.Counter(), collections.defaultdict(collections.Counter), []
 
     def check(scratch, structure, family, n, seed, maintain, *more):

@@ -3,7 +3,7 @@
 
 usage: unknown.py PROGRAM LOGCHECK_FOLDER
 
-Exit code 77: the program writes logs of version 1. The structure is one that the checker knows, under another name in
+The structure is one that the checker knows, under another name in
 the scene and in the log, which is counted, digested and sealed anew. Also: scenes with "over" and with parameters have
 the hash that the program gives them.
 """
@@ -81,7 +81,7 @@ def check_renamed(program, folder, modules, scratch, case):
 def main():
     program, folder = sys.argv[1:3]
     modules = logs.checker(folder)
-    logs.skip_old(program)
+    logs.require_version(program)
     with tempfile.TemporaryDirectory() as scratch:
         for case in CASES:
             check_renamed(program, folder, modules, scratch, case)

@@ -196,7 +196,7 @@ TEST(Simulator, StepsGiveTheSameRunAsOneStep) {
   }
 }
 
-TEST(Simulator, ProgressMayStopTheRun) {
+TEST(Simulator, ALimitOfEventsStopsTheRun) {
   const Scene scene = steep_lines(16);
   SimulatorOptions options;
   options.max_events = 50;
@@ -207,6 +207,24 @@ TEST(Simulator, ProgressMayStopTheRun) {
   EXPECT_EQ(f.simulator.run_until(std::nullopt), RunStatus::kLimit);
   EXPECT_EQ(f.ledger().processed, 50u);
   EXPECT_LE(stopped_at, f.simulator.reached());
+}
+
+TEST(Simulator, ProgressMayStopTheRun) {
+  std::vector<Trajectory> cubes;  // any two of them cross once
+  for (int j = 0; j < 150; ++j) cubes.push_back(path({{Rational(j * j * j), Rational(-j)}}));
+  const Scene scene = scene_of(cubes, 0, std::nullopt);
+  SimulatorOptions options;
+  int calls = 0;
+  options.progress = [&calls](const Simulator&) { return ++calls != 1; };
+  Fixture f(scene, options);
+  EXPECT_EQ(f.simulator.run_until(std::nullopt), RunStatus::kInterrupted);
+  EXPECT_EQ(calls, 1);
+  EXPECT_GE(f.ledger().processed, 4096u);
+  EXPECT_LT(f.ledger().processed, 8192u + 150u);
+  EXPECT_EQ(f.simulator.run_until(std::nullopt), RunStatus::kDone);
+  EXPECT_GT(calls, 1);
+  EXPECT_EQ(f.ledger().processed, 150u * 149u / 2);
+  f.expect_clean();
 }
 
 }  // namespace simulator_test

@@ -194,7 +194,10 @@ RC_GTEST_PROP(RootProperties, MirroredPolynomialHasMirroredRoots, ()) {
   RC_ASSERT(roots.size() == mirrored.size());
   for (std::size_t i = 0; i < roots.size(); ++i) {
     RC_ASSERT(roots[i].multiplicity == mirrored[roots.size() - 1 - i].multiplicity);
-    RC_ASSERT(roots[i].root.lower() <= -mirrored[roots.size() - 1 - i].root.lower());
+    // The two intervals of one root meet.
+    const RealRoot& other = mirrored[roots.size() - 1 - i].root;
+    RC_ASSERT(roots[i].root.lower() <= -other.lower());
+    RC_ASSERT(-other.upper() <= roots[i].root.upper());
   }
 }
 

@@ -106,6 +106,7 @@ TEST(EveryStructure, ShowsLiveCertificatesAfterEveryCall) {
       if (scene.objects.empty()) continue;
       for (const Looks& looks : look_after_every_call(scene)) {
         EXPECT_GT(looks.visits, 0u) << info.name;
+        EXPECT_GT(looks.seen, 0u) << looks.name << ", with " << info.name << ", seed " << seed;
         EXPECT_EQ(looks.wrong, 0u) << looks.name << ", with " << info.name << ", seed " << seed;
       }
     }

@@ -281,6 +281,10 @@ TEST(DavenportSchinzel, KnownValues) {
   EXPECT_EQ(davenport_schinzel_bound(4, Integer(3)), Integer(13));
   EXPECT_EQ(davenport_schinzel_bound(4, Integer(1)), Integer(1));
   EXPECT_EQ(davenport_schinzel_bound(3, Integer(0)), Integer(0));
+  // n (4 + 2 ceil(log2(n / 8))).
+  EXPECT_EQ(davenport_schinzel_bound(3, Integer(9)), Integer(54));
+  EXPECT_EQ(davenport_schinzel_bound(3, Integer(16)), Integer(96));
+  EXPECT_EQ(davenport_schinzel_bound(3, Integer(17)), Integer(136));
 }
 
 TEST(PairSignChanges, CountsJointPieces) {
