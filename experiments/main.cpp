@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program `kinex`: parses the command line, runs one verb, and turns errors into exit codes.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <new>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/numbers/stop.h"
 #include "experiments/formats/input_error.h"
@@ -39,7 +42,9 @@ void describe(CLI::App& app) {
 // The exit code of the command line that `app` has been given.
 int run(CLI::App& app, int argc, char** argv, int& exit_code) {
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words = verbs::command_words(argc, argv);
+    std::reverse(words.begin(), words.end());  // as the parser wants them
+    app.parse(std::move(words));
   } catch (const CLI::Success& success) {
     std::ostringstream text;  // of --help, --version
     app.exit(success, text, text);

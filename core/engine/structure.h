@@ -89,7 +89,7 @@ class Structure {
   virtual void certificate_failed(CertificateId failed) = 0;
   virtual void insert(ObjectId object) = 0;
   virtual void erase(ObjectId object) = 0;
-  // The motions of these objects have changed at now (positions did not jump). All their
+  // The motions of these objects, ascending, have changed at now (positions did not jump). All their
   // certificates have been rescheduled; those that are negative right after now fail next.
   virtual void motions_changed(std::span<const ObjectId>) {}
   // All certificates are non-negative right after now, after an instant at which two or more failed

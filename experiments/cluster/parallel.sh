@@ -11,11 +11,11 @@ here=$(dirname "$0")
 # shellcheck source-path=SCRIPTDIR source=arguments.sh
 . "$here/arguments.sh"
 check_arguments "parallel.sh PLAN FOLDER SHARDS JOBS [OPTION OF parallel ..]" "$@"
-plan=$1 folder=$2 shards=$3 jobs=$4
+plan=$1 folder=${2%/} shards=$3 jobs=$4
 shift 4
 mkdir -p "$folder"
 failed=0
-seq 0 $((shards - 1)) | parallel --will-cite -j "$jobs" --joblog "$folder/jobs.log" "$@" \
+seq 0 $((shards - 1)) | parallel --will-cite -q -j "$jobs" --joblog "$folder/jobs.log" "$@" \
   kinex sweep run "$plan" --shard "{}/$shards" -o "$folder" || failed=$?
 [ "$failed" -eq 0 ] || echo "parallel.sh: shards with cells that failed or reached a limit: $failed" >&2
 exec kinex sweep merge "$folder" -o "$folder.sqlite" --force

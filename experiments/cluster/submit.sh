@@ -13,7 +13,7 @@ here=$(dirname "$0")
 # shellcheck source-path=SCRIPTDIR source=arguments.sh
 . "$here/arguments.sh"
 check_arguments "submit.sh PLAN FOLDER SHARDS AT_ONCE [OPTION OF sbatch ..]" "$@"
-plan=$1 folder=$2 shards=$3 at_once=$4
+plan=$1 folder=${2%/} shards=$3 at_once=$4
 shift 4
 mkdir -p "$folder/log"
 job=$(sbatch --parsable --array="0-$((shards - 1))%$at_once" --output="$folder/log/%A_%a.txt" "$@" \

@@ -23,6 +23,11 @@ const std::string kOption = "--query";  // the place of errors outside a file
 // The role of structures that answer queries (structures/parts/range_search.h).
 bool searches(const StructureInfo& info) { return info.role == kRangeSearch; }
 
+bool answers(const Request& request) {
+  const StructureInfo* info = find_structure_info(request.structure);
+  return info != nullptr && searches(*info);
+}
+
 std::string names_of_searchers() {
   std::string names;
   for (const StructureInfo& info : structure_infos()) {
@@ -86,19 +91,21 @@ void read_queries(const JsonNode& node, Scene& scene, const std::string& file) {
   if (!scene.maintain.empty()) check_answered(scene, file, "/queries/0");
 }
 
+bool answers_queries(const Scene& scene) {
+  return scene.queries.empty() ||
+         std::any_of(scene.maintain.begin(), scene.maintain.end(),
+                     [](const Request& request) { return answers(request); });
+}
+
 void check_answered(const Scene& scene, const std::string& file, const std::string& place) {
   if (scene.queries.empty()) return;
-  bool is_answered = false;
   for (const Request& request : scene.maintain) {
-    const StructureInfo* info = find_structure_info(request.structure);
-    if (info == nullptr || !searches(*info)) continue;
-    is_answered = true;
-    if (request.label == "box") {
+    if (answers(request) && request.label == "box") {
       throw InputError(file, place, "the label \"box\" of a structure that answers queries",
                        "give " + request.structure + " another label with \"as\"");
     }
   }
-  if (is_answered) return;
+  if (answers_queries(scene)) return;
   throw InputError(file, place, "a query that no structure answers",
                    "maintain one of " + names_of_searchers());
 }

@@ -15,6 +15,8 @@ namespace kinex::formats {
 // names --query.
 std::vector<std::array<Rational, 2>> read_box_option(const std::string& text, const Scene& scene);
 
+// The scene has no queries, or a structure of "maintain" answers them.
+bool answers_queries(const Scene& scene);
 // Throws InputError if the scene has queries, and no structure of "maintain" answers them, or if one
 // does whose label is "box". `file`, `place`: where a query stands.
 void check_answered(const Scene& scene, const std::string& file, const std::string& place);

@@ -72,7 +72,11 @@ class Importer {
       report_.notes.push_back(kinds);
     }
     report_.scene.overlapping_starts = options_.overlapping_starts;
-    if (options_.polygons) make_bodies(report_.scene, *options_.polygons, {file_, lines_});
+    if (options_.polygons) {
+      make_bodies(report_.scene, *options_.polygons, {file_, lines_});
+    } else {
+      refuse_overlapping_points(report_.scene);
+    }
     return std::move(report_);
   }
 

@@ -132,4 +132,10 @@ void make_bodies(Scene& scene, const PolygonTable& polygons, const ObjectTable& 
   check_scene(scene, objects);
 }
 
+void refuse_overlapping_points(const Scene& scene) {
+  if (scene.overlapping_starts == OverlappingStarts::kRefused) return;
+  throw InputError("--overlapping-starts", "", "points do not overlap",
+                   "give --polygons too, or leave it out");
+}
+
 }  // namespace kinex::formats

@@ -47,6 +47,9 @@ struct ObjectTable {
 // polygon without an object, and for bodies in contact at the start, as the scene reader does.
 void make_bodies(Scene& scene, const PolygonTable& polygons, const ObjectTable& objects);
 
+// Throws InputError if the option --overlapping-starts was given for points.
+void refuse_overlapping_points(const Scene& scene);
+
 }  // namespace kinex::formats
 
 #endif

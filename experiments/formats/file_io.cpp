@@ -2,6 +2,7 @@
 #include "experiments/formats/file_io.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -57,21 +58,20 @@ void refuse_existing(const std::string& path) {
   throw InputError(path, "", "exists already", "give another name, or --force to replace it");
 }
 
-// "PATH.partial" and "PATH.partial-PID", but not that of this process; sorted.
+// "PATH.partial", "PATH.partial-PID" and "PATH.partial-PID-1"; sorted.
 std::vector<std::string> partial_files(const std::string& path) {
   const fs::path whole(path);
   const std::string folder = whole.parent_path().string();
   const std::string begin = whole.filename().string() + ".partial";
-  const std::string own = begin + "-" + std::to_string(::getpid());
   std::vector<std::string> found;
   std::error_code error;
   for (fs::directory_iterator at(folder.empty() ? "." : folder, error), end; !error && at != end;
        at.increment(error)) {
     const std::string name = at->path().filename().string();
-    if (!name.starts_with(begin) || name == own) continue;
+    if (!name.starts_with(begin)) continue;
     const std::string rest = name.substr(begin.size());
     if (!rest.empty() && (rest.size() < 2 || rest[0] != '-' ||
-                          rest.find_first_not_of("0123456789", 1) != std::string::npos)) {
+                          rest.find_first_not_of("0123456789-", 1) != std::string::npos)) {
       continue;
     }
     found.push_back((folder.empty() ? fs::path(name) : fs::path(folder) / name).string());
@@ -136,7 +136,21 @@ bool is_open_for(const std::string& number, int forbidden) {
   return mode == -1 || (mode & O_ACCMODE) != forbidden;
 }
 
+// Opens a pipe with a name for writing, when it has a reader. nullptr, and errno: a signal that is handled has come (open()
+// itself would go on after it), or it cannot be opened.
+std::FILE* open_pipe(const std::string& path) {
+  constexpr int kWait = 20;  // milliseconds between two looks
+  int file = -1;
+  while ((file = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC)) < 0) {
+    if (errno != ENXIO || ::poll(nullptr, 0, kWait) < 0) return nullptr;
+  }
+  ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK);
+  return ::fdopen(file, "wb");
+}
+
 }  // namespace
+
+bool is_standard_output(const std::string& path) { return path == "-" || open_file(path) == "1"; }
 
 std::string read_file_bytes(const std::string& path) {
   const bool standard_input = path == "-";
@@ -178,10 +192,9 @@ OutputFile::OutputFile(std::string path, bool force, Unfinished unfinished)
     : path_(std::move(path)), force_(force), unfinished_(unfinished) {
   const std::string open = path_ == "-" ? "1" : open_file(path_);
   if (open == "1") {
-    standard_output_ = true;
+    stream_ = stdout;
     path_ = "standard output";
-    file_ = std::tmpfile();
-    if (file_ == nullptr) fail(std::strerror(errno));
+    open_temporary();
     return;
   }
   std::error_code error;
@@ -206,13 +219,42 @@ OutputFile::OutputFile(std::string path, bool force, Unfinished unfinished)
     permissions_ = static_cast<unsigned>(status.permissions());
   }
   if (!direct) leftovers_ = partial_files(target_);
-  if (!direct) temporary_ = target_ + ".partial-" + std::to_string(::getpid());
-  file_ = std::fopen((direct ? path_ : temporary_).c_str(), "wb");
+  if (!direct || fs::is_character_file(status)) {
+    if (direct) {
+      file_ = std::fopen(path_.c_str(), "wb");
+      if (file_ == nullptr) fail(std::strerror(errno));
+    } else {
+      open_temporary();
+    }
+    return;
+  }
+  stream_ =
+      fs::is_fifo(status) && open.empty() ? open_pipe(path_) : std::fopen(path_.c_str(), "wb");
+  if (stream_ == nullptr) fail(std::strerror(errno));
+  open_temporary();
+}
+
+// A file that was there before is never touched, whoever made it: numbers of processes come again.
+void OutputFile::open_temporary() {
+  if (stream_ != nullptr) {
+    file_ = std::tmpfile();
+  } else {
+    const std::string name = target_ + ".partial-" + std::to_string(::getpid());
+    int file = -1;
+    for (int i = 0; file < 0; ++i) {
+      temporary_ = i == 0 ? name : name + "-" + std::to_string(i);
+      file = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (file < 0 && errno != EEXIST) break;
+    }
+    if (file >= 0) file_ = ::fdopen(file, "wb");
+    if (file < 0) temporary_.clear();
+  }
   if (file_ == nullptr) fail(std::strerror(errno));
 }
 
 OutputFile::~OutputFile() {
   if (file_ != nullptr) std::fclose(file_);
+  if (stream_ != nullptr && stream_ != stdout) std::fclose(stream_);
   if (!temporary_.empty()) std::remove(temporary_.c_str());
 }
 
@@ -224,28 +266,28 @@ void OutputFile::fail(const char* what) {
                      "make room, and run it again");
   }
   throw InputError(path_, "", problem,
-                   standard_output_
+                   stream_ != nullptr
                        ? "check the target of its redirection, and the room for temporary files"
                        : "give a name in a folder that exists and can be written");
 }
 
-void OutputFile::copy_to_standard_output(std::size_t bytes) {
+void OutputFile::copy_to_stream(std::size_t bytes) {
   unfinished_ = Unfinished::kRemoved;  // fail() copies nothing again
   std::rewind(file_);
   char buffer[1 << 16];
   for (std::size_t left = bytes; left > 0;) {
     const std::size_t got = std::fread(buffer, 1, std::min(left, sizeof buffer), file_);
-    if (got == 0 || std::fwrite(buffer, 1, got, stdout) != got) fail(std::strerror(errno));
+    if (got == 0 || std::fwrite(buffer, 1, got, stream_) != got) fail(std::strerror(errno));
     left -= got;
   }
-  if (std::fflush(stdout) != 0) fail(std::strerror(errno));
+  if (std::fflush(stream_) != 0) fail(std::strerror(errno));
 }
 
 std::string OutputFile::keep_lines() {
-  if (standard_output_) {
+  if (stream_ != nullptr) {
     if (file_ == nullptr || std::fflush(file_) != 0) return "";
     const std::size_t bytes = end_of_last_line(file_);
-    copy_to_standard_output(bytes);
+    copy_to_stream(bytes);
     return "";
   }
   if (file_ != nullptr) std::fclose(std::exchange(file_, nullptr));
@@ -265,10 +307,10 @@ void OutputFile::write(std::string_view text) {
 }
 
 void OutputFile::commit() {
-  if (standard_output_) {
+  if (stream_ != nullptr) {
     const long size = std::fflush(file_) == 0 ? std::ftell(file_) : -1;
     if (size < 0) fail(std::strerror(errno));
-    copy_to_standard_output(static_cast<std::size_t>(size));
+    copy_to_stream(static_cast<std::size_t>(size));
     return;
   }
   const bool flushed = std::fclose(std::exchange(file_, nullptr)) == 0;

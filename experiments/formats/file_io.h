@@ -19,6 +19,8 @@ inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
 std::string read_file_bytes(const std::string& path);
 // The same of a text: databases and compressed files are refused, and named as what they are.
 std::string read_text_file(const std::string& path);
+// The path is "-", or a link to standard output.
+bool is_standard_output(const std::string& path);
 
 // The treatment of an output that was not finished.
 enum class Unfinished {
@@ -26,13 +28,13 @@ enum class Unfinished {
   kLinesKept,  // whole lines are useful: see OutputFile::keep_lines
 };
 
-// Writes to a temporary file beside `path`, PATH.partial-PID; commit() renames it. An existing file
-// is never replaced unless `force`; the new one has its permissions, and a link to it stays. Devices (/dev/null),
-// and links to files that the process has open (/dev/fd/3), are written directly. Without commit() the
-// temporary file is removed. Every failure throws InputError. If writing fails (a full disk) and
-// lines are kept, the message names the file that has them.
-// "-" and links to it (/dev/stdout) are standard output: it gets the text when the file is committed, or its whole lines when these
-// are kept.
+// Writes to a temporary file beside `path`, PATH.partial-PID (PATH.partial-PID-1 if that is there); commit() renames it. An
+// existing file is never replaced unless `force`; the new one has its permissions, and a link to it stays. Without commit() the
+// temporary file is removed. Every failure throws InputError. If writing fails (a full disk) and lines are kept, the message
+// names the file that has them.
+// "-" and links to it (/dev/stdout), pipes, and links to files that the process has open (/dev/fd/3) get the text when the file
+// is committed, or its whole lines when these are kept; a pipe is opened at once, and waits for its reader. Other devices
+// (/dev/null) are written directly.
 class OutputFile {
  public:
   OutputFile(std::string path, bool force, Unfinished unfinished = Unfinished::kRemoved);
@@ -51,14 +53,15 @@ class OutputFile {
 
  private:
   [[noreturn]] void fail(const char* what);
-  // Of a file for standard output: copies `bytes` of it there.
-  void copy_to_standard_output(std::size_t bytes);
+  void open_temporary();
+  // Of a file without a name: copies `bytes` of it to stream_.
+  void copy_to_stream(std::size_t bytes);
 
   std::string path_;
   std::string target_;                   // path_, or what it is a link to
   std::optional<unsigned> permissions_;  // of the file that is replaced
   std::string temporary_;  // empty: written directly, or a file without a name
-  bool standard_output_ = false;
+  std::FILE* stream_ = nullptr;  // what gets the text of a file without a name
   bool force_;
   Unfinished unfinished_;
   std::vector<std::string> leftovers_;

@@ -249,8 +249,12 @@ void read_record(const JsonNode& node, const LogHeader& header, LogRecord& recor
 }  // namespace
 
 bool looks_like_log(std::string_view text) {
-  const std::string_view first = text.substr(0, text.find('\n')).substr(0, 64);
-  return first.find("\"format\"") != std::string_view::npos;
+  for (const std::string_view word : {"{", "\"format\"", ":"}) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    if (!text.starts_with(word)) return false;
+    text.remove_prefix(word.size());
+  }
+  return true;
 }
 
 LogReader::LogReader(std::string_view text, std::string file)

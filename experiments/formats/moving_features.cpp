@@ -90,7 +90,13 @@ class Reader {
   // Names of properties make sense for ids and times alone.
   void check_columns() const {
     for (const NamedColumn& one : options_.common.columns) {
-      if (one.meaning == "id" || one.meaning == "t") continue;
+      if (one.meaning == "id" || one.meaning == "t") {
+        if (property_for(one.meaning) != &one.column) {
+          throw InputError("--column", "", one.meaning + " is named twice",
+                           "name one property for it");
+        }
+        continue;
+      }
       throw InputError("--column", "",
                        one.meaning + "=" + one.column + ": places are not in properties here",
                        "name the properties for id and t");
@@ -262,6 +268,10 @@ class Reader {
       return !track.geometry.polygon.empty();
     });
     const bool body = polygons || options_.common.polygons;
+    if (polygons && options_.common.polygons) {
+      throw InputError("--polygons", "", "the features have polygons of their own", "leave it out");
+    }
+    if (!body) refuse_overlapping_points(scene);
     bool assumed = false, weighted = false;
     std::vector<const FeatureMembers*> members;  // of the scene's objects
     std::optional<Rational> first, last;
@@ -311,6 +321,7 @@ class Reader {
     check_edges();
     if (body) make_bodies(scene, polygons ? table : *options_.common.polygons, {file_, lines});
     if (options_.maintain) restore_maintain(own);
+    restore_queries(own);
   }
 
   void restore_object(const FeatureMembers& members, Motion& motion) const {
@@ -383,10 +394,16 @@ class Reader {
   // When the objects are as they will be.
   void restore_maintain(const std::optional<JsonNode>& own) {
     Scene& scene = report_.scene;
-    const auto entries = member(own, "maintain"), queries = member(own, "queries");
+    const auto entries = member(own, "maintain");
     if (!entries) return;
     read_maintain(*entries, scene);
     report_.maintains = true;
+  }
+
+  // For structures of --maintain, too.
+  void restore_queries(const std::optional<JsonNode>& own) {
+    Scene& scene = report_.scene;
+    const auto queries = member(own, "queries");
     if (!queries) return;
     scene.start -= shift_;
     *scene.end -= shift_;

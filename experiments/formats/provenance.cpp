@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/formats/provenance.h"
 
+#include "experiments/formats/utf8.h"
+
 namespace kinex::formats {
 
 void write_provenance(JsonWriter& json, const Provenance& provenance) {
   json.begin_object().key("commit").string(provenance.commit);
   json.key("dirty").boolean(provenance.dirty).key("compiler").string(provenance.compiler);
   json.key("flags").string(provenance.flags).key("libraries").string(provenance.libraries);
-  json.key("cpu").string(provenance.cpu).key("command").string(provenance.command).end_object();
+  json.key("cpu")
+      .string(provenance.cpu)
+      .key("command")
+      .string(utf8_or_shown(provenance.command))
+      .end_object();
 }
 
 Provenance read_provenance(const JsonNode& node) {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/numbers/show_text.h"
+
 namespace kinex::formats {
 
 namespace {
@@ -52,6 +54,10 @@ bool is_utf8(std::string_view text) { return first_not_utf8(text) == text.size()
 std::size_t characters(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
+std::string utf8_or_shown(const std::string& text) {
+  return is_utf8(text) ? text : show_text(text);
 }
 
 }  // namespace kinex::formats

@@ -4,6 +4,7 @@
 #define KINEX_EXPERIMENTS_FORMATS_UTF8_H
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace kinex::formats {
@@ -14,6 +15,9 @@ std::size_t first_not_utf8(std::string_view text);
 
 // True if `text` is well-formed UTF-8 (RFC 3629: no surrogates, no overlong forms).
 bool is_utf8(std::string_view text);
+
+// The text, for a file of JSON: as messages show it if it is not UTF-8.
+std::string utf8_or_shown(const std::string& text);
 
 // Of well-formed UTF-8: how many characters (code points) it has.
 std::size_t characters(std::string_view text);

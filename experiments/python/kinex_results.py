@@ -185,7 +185,10 @@ def _parameters(text):
 
 
 def _runs_of_database(path):
-    base = sqlite3.connect(f"file:{path.resolve()}?mode=ro", uri=True)
+    try:
+        base = sqlite3.connect(path.resolve().as_uri() + "?mode=ro", uri=True)
+    except sqlite3.Error as error:
+        raise ResultsError(f"{path}: it cannot be opened ({error})") from error
     base.row_factory = sqlite3.Row
     try:
         tables = {row[0] for row in base.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
@@ -270,7 +273,7 @@ def _runs_of_summary(path, summary):
 
 def _runs_of_lines(path, text):
     result = []
-    for line in text.splitlines():
+    for line in text.split("\n"):  # other ends of lines may be in names
         if not line.endswith("}"):
             continue  # the last line of a run that was cut off
         record = json.loads(line)
@@ -297,7 +300,9 @@ def _runs_of_lines(path, text):
 
 def read_log(path):
     """An event log of kinex run --events, whole or cut off."""
-    lines = _text(path).splitlines()
+    lines = _text(path).split("\n")  # other ends of lines may be in names
+    if lines[-1] == "":
+        lines.pop()
     try:
         header = json.loads(lines[0])
         if header["format"] != "kinex-log" or header["version"] != 2:

@@ -14,6 +14,7 @@
 
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/sweep/append_whole.h"
 
 namespace kinex::sweep {
 
@@ -87,20 +88,7 @@ AttemptFile::~AttemptFile() { ::close(file_); }
 void AttemptFile::append(const Record& record) { write_line(record_line(record)); }
 
 void AttemptFile::write_line(const std::string& text) {
-  const std::string line = text + "\n";
-  const ssize_t written = ::write(file_, line.data(), line.size());
-  int error = written < 0 ? errno : ENOSPC;
-  if (written == static_cast<ssize_t>(line.size())) {
-    // A pipe or a special file system may have nothing to flush.
-    if (::fdatasync(file_) == 0 || errno == EINVAL || errno == ENOTSUP) {
-      size_ += written;
-      return;
-    }
-    error = errno;
-  }
-  if (::ftruncate(file_, static_cast<off_t>(size_)) != 0) error = errno;
-  throw formats::InputError(path_, "", std::string("cannot be written: ") + std::strerror(error),
-                   "make room on the disk; the same command goes on from here");
+  append_whole(file_, text + "\n", path_, size_);
 }
 
 std::vector<std::string> attempt_files(const std::vector<std::string>& folders) {

@@ -18,6 +18,7 @@
 #include "experiments/formats/json_document.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/sha256.h"
+#include "experiments/sweep/append_whole.h"
 
 namespace kinex::sweep {
 
@@ -84,6 +85,7 @@ Journal::Journal(std::string path, const AttemptProvenance& provenance, Leftover
       throw formats::InputError(path_, "",
                                 std::string("cannot be written: ") + std::strerror(errno), "");
     }
+    size_ = static_cast<std::int64_t>(text.size());
     if (text.empty()) append(provenance_line(provenance) + "\n");
   } catch (...) {
     ::close(file_);  // and the file is left as it is
@@ -130,14 +132,7 @@ void Journal::note_found() {
   }
 }
 
-void Journal::append(const std::string& line) {
-  const ssize_t written = ::write(file_, line.data(), line.size());
-  if (written == static_cast<ssize_t>(line.size())) return;
-  throw formats::InputError(path_, "",
-                            std::string("cannot be written: ") +
-                                (written < 0 ? std::strerror(errno) : "the disk is full"),
-                            "make room on the disk; the same command goes on from here");
-}
+void Journal::append(const std::string& line) { append_whole(file_, line, path_, size_); }
 
 const Record* Journal::find(const std::string& key) const {
   const std::lock_guard lock(mutex_);

@@ -66,6 +66,7 @@ class Journal {
 
   std::string path_;
   int file_ = -1;
+  std::int64_t size_ = 0;  // of the file
   std::size_t found_ = 0;
   double found_seconds_ = 0;
   std::string dropped_other_;

@@ -12,6 +12,7 @@
 #include "experiments/formats/json_node.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/sha256.h"
+#include "experiments/formats/utf8.h"
 #include "experiments/sweep/block.h"
 
 namespace kinex::sweep {
@@ -79,6 +80,8 @@ void read_selection(const formats::JsonNode& node, const Experiments& experiment
   if (const auto names = node.find("names")) selection.names = read_strings(*names);
   if (const auto quick = node.find("quick")) selection.quick = quick->boolean();
   if (const auto options = node.find("options")) {
+    if (!options->is(formats::JsonValue::Kind::kObject))
+      options->refuse("options", "write {\"seeds\": [\"8\"]}");
     for (const formats::JsonValue& key : options->value().keys()) {
       const std::string option(key.text());
       selection.options[option] = read_strings(options->member(option));
@@ -137,16 +140,20 @@ PlanText plan_text(const Selection& selection) {
   formats::JsonWriter json(text);
   const auto strings = [&](const std::vector<std::string>& values) {
     json.begin_array();
-    for (const std::string& value : values) json.string(value);
+    for (const std::string& value : values) json.string(formats::utf8_or_shown(value));
     json.end_array();
   };
-  json.begin_object().key("kinex_plan").number(1).key("name").string(selection.command());
+  json.begin_object()
+      .key("kinex_plan")
+      .number(1)
+      .key("name")
+      .string(formats::utf8_or_shown(selection.command()));
   json.key("select").begin_object().key("experiment").string(selection.experiment);
   json.key("names");
   strings(selection.names);
   json.key("quick").boolean(selection.quick).key("options").begin_object();
   for (const auto& [option, values] : selection.options) {
-    json.key(option);
+    json.key(formats::utf8_or_shown(option));
     strings(values);
   }
   json.end_object().end_object().end_object();

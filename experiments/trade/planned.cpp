@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/trade/planned.h"
 
-#include <cstdlib>
+#include <charconv>
+#include <cmath>
+#include <system_error>
 #include <utility>
 
+#include "core/numbers/show_text.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/scene_writer.h"
+#include "experiments/lab/scene_run.h"
 #include "experiments/sweep/fields_report.h"
 #include "experiments/sweep/parameters_json.h"
 #include "experiments/trade/case_record.h"
@@ -64,14 +68,26 @@ sweep::CellReport run_planned_bits(const formats::JsonNode& content) {
   return report_of(run_bits(which, read_limits(content)));
 }
 
+double seconds_option(const std::string& text) {
+  double seconds = 0;
+  const char* const end = text.data() + text.size();
+  const std::from_chars_result read = std::from_chars(text.data(), end, seconds);
+  if (read.ec == std::errc() && read.ptr == end && std::isfinite(seconds) && seconds > 0)
+    return seconds;
+  throw formats::InputError("--max-seconds", "", show_text(text) + " is no number of seconds",
+                            "write a number above 0");
+}
+
 // Throws InputError for other options.
 TradeOptions options_of(const sweep::Selection& selection) {
   TradeOptions options;
   for (const auto& [option, values] : selection.options) {
     if (option == "arithmetic") {
+      const Scene nothing;
+      for (const std::string& name : values) lab::arithmetic_option(name, nothing);
       options.arithmetics = values;
     } else if (option == "max-seconds" && values.size() == 1) {
-      options.max_seconds = std::strtod(values.front().c_str(), nullptr);
+      options.max_seconds = seconds_option(values.front());
     } else {
       throw formats::InputError("--" + option, "", "trade has no such option", "leave it out");
     }

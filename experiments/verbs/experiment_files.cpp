@@ -74,6 +74,11 @@ sweep::Journal experiment_journal(const ExperimentOptions& options, const sweep:
     throw formats::InputError("--output", "", "standard output takes no folder of files",
                               "name a folder; --json prints the result");
   }
+  if (!options.from.empty() && (options.fresh || options.jobs != 1)) {
+    throw formats::InputError(options.fresh ? "--fresh" : "--jobs", "",
+                              "--from reports on what has been run, and runs nothing",
+                              "leave one of the two out");
+  }
   const bool made = make_folder("--output", options.folder);
   using sweep::Leftover;
   const Leftover leftover = options.fresh   ? Leftover::kDrop

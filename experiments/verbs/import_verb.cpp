@@ -11,14 +11,15 @@
 
 #include "core/numbers/near_names.h"
 #include "core/numbers/time_text.h"
+#include "experiments/formats/box_queries.h"
 #include "experiments/formats/counted.h"
 #include "experiments/formats/csv_columns.h"
 #include "experiments/formats/csv_import.h"
 #include "experiments/formats/event_log.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
-#include "experiments/formats/plain_text.h"
 #include "experiments/formats/moving_features.h"
+#include "experiments/formats/plain_text.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
 #include "experiments/lab/colours.h"
@@ -45,9 +46,6 @@ struct ImportVerbOptions {
 OverlappingStarts overlapping_starts(const ImportVerbOptions& options) {
   if (!options.overlapping_starts) return OverlappingStarts::kRefused;
   const std::string option = "--overlapping-starts";
-  if (!options.polygons) {
-    throw formats::InputError(option, "", "points do not overlap", "give --polygons too, or leave it out");
-  }
   if (*options.overlapping_starts == "refused") return OverlappingStarts::kRefused;
   if (*options.overlapping_starts == "contact") return OverlappingStarts::kContact;
   throw formats::InputError(option, "", show_text(*options.overlapping_starts) + " is no choice",
@@ -121,6 +119,9 @@ formats::ImportReport import_json(const std::string& text, const ImportVerbOptio
   if (!options.separator.empty()) {
     throw formats::InputError("--separator", "", "it is for tables", "leave it out");
   }
+  if (options.ignore_columns) {
+    throw formats::InputError("--ignore-columns", "", "it is for tables", "leave it out");
+  }
   formats::MovingFeaturesOptions features;
   features.common = read;
   features.linear = options.linear;
@@ -173,7 +174,16 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
   }
   std::vector<std::string> maintain = options.maintain;
   if (maintain.empty()) maintain = {structure_for(scene)};
-  if (!report.maintains) maintain_all(scene, maintain);
+  if (!report.maintains) {
+    maintain_all(scene, maintain);
+    if (!formats::answers_queries(scene)) {
+      report.notes.push_back(formats::counted(scene.queries.size(), "query was", "queries were") +
+                             (scene.queries.size() == 1 ? " left out: no structure answers it"
+                                                        : " left out: no structure answers them"));
+      scene.queries.clear();
+    }
+    formats::check_answered(scene, "--maintain", "");
+  }
   write_result(options.output, options.force, formats::write_scene(scene, report.words));
   const bool features = formats::looks_like_json(text);
   voice.note(

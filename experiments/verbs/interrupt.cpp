@@ -25,10 +25,8 @@ InterruptGuard::InterruptGuard() {
     action.sa_handler = is_pipe ? SIG_IGN : note_interrupt;
     action.sa_flags = is_pipe ? 0 : static_cast<int>(SA_RESETHAND | SA_RESTART);
     sigaction(kSignals[i], &action, &before_[i]);
-    // Under nohup a run goes on.
-    if (kSignals[i] == SIGHUP && before_[i].sa_handler == SIG_IGN) {
-      sigaction(SIGHUP, &before_[i], nullptr);
-    }
+    // What is ignored stays so: SIGHUP under nohup, SIGINT of a script's job in the background.
+    if (!is_pipe && before_[i].sa_handler == SIG_IGN) sigaction(kSignals[i], &before_[i], nullptr);
   }
 }
 

@@ -67,8 +67,11 @@ void check_range(const char* option, int value, int low, int high) {
 }
 
 void check_limit(const char* option, double value, bool or_zero, const char* remedy) {
-  if (or_zero ? value >= 0 : value > 0) return;
-  const char* const problem = std::isnan(value) ? " is not a number" : or_zero ? " is below 0" : " is not above 0";
+  if (std::isfinite(value) && (or_zero ? value >= 0 : value > 0)) return;
+  const char* const problem = std::isnan(value)   ? " is not a number"
+                              : std::isinf(value) ? " is not finite"
+                              : or_zero           ? " is below 0"
+                                                  : " is not above 0";
   throw formats::InputError(option, "", fmt::format("{}", value) + problem, remedy);
 }
 

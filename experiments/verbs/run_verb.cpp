@@ -133,6 +133,11 @@ void add_queries(Scene& scene, const RunOptions& options, const std::vector<Rati
   formats::check_answered(scene, has_own ? options.scene : "--query", has_own ? "/queries/0" : "");
 }
 
+// "-" for a link to standard output.
+void name_standard_output(std::string& path) {
+  if (!path.empty() && formats::is_standard_output(path)) path = "-";
+}
+
 // Two results in one file would overwrite each other; a device (/dev/null) takes both.
 void check_outputs(const RunOptions& options) {
   if (options.events == "-" && (options.json || options.summary == "-")) {
@@ -209,10 +214,12 @@ void check_log_options(const RunOptions& options) {
   }
 }
 
-void run(const RunOptions& options, const Voice& voice, int& exit_code) {
+void run(RunOptions options, const Voice& voice, int& exit_code) {
   constexpr const char* kRemedy = "write a number from 0 on, 0 for no limit";
   check_limit("--max-events", static_cast<double>(options.max_events), true, kRemedy);
   check_limit("--max-seconds", options.max_seconds, true, kRemedy);
+  name_standard_output(options.events);
+  name_standard_output(options.summary);
   check_outputs(options);
   SimulatorOptions simulator_options;
   simulator_options.audit = audit_level(options.audit);

@@ -335,6 +335,16 @@ void add_list(CLI::App& sweep) {
       "Example:\n  kinex sweep list plan.json\n  kinex sweep list verify " +
       example_structure(2) + " --quick");
   verb->callback([options, verb] {
+    if (options->plan.words.empty()) {
+      for (const char* name :
+           {"--shard", "--json", "--quick", "--seeds", "--arithmetic", "--max-seconds"}) {
+        const CLI::Option* given = verb->get_option_no_throw(name);
+        if (given != nullptr && given->count() > 0) {
+          throw formats::InputError(name, "", "it is for the cells of a plan",
+                                    "name a plan, or leave it out");
+        }
+      }
+    }
     list(options->plan, options->shard, options->json, voice_of(*verb));
   });
 }
@@ -385,6 +395,13 @@ void add_cell(CLI::App& sweep, int& exit_code) {
       "Example:\n  kinex sweep cell '{\"structure\": \"" +
       example_structure(2) + "\",\n    \"workload\": \"uniform-square\", \"n\": 50}'");
   verb->callback([options, verb, &exit_code] {
+    for (const auto& [name, value] : {std::pair("--seconds", options->limits.seconds),
+                                      {"--megabytes", options->limits.megabytes}}) {
+      if (value < 0) {
+        throw formats::InputError(name, "", std::to_string(value) + " is below 0",
+                                  "write a number above 0; 0 is no limit");
+      }
+    }
     cell(options->text, options->limits, options->parent, voice_of(*verb), exit_code);
   });
 }

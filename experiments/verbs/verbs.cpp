@@ -2,11 +2,14 @@
 #include "experiments/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <string>
 #include <system_error>
+#include <vector>
 
+#include "experiments/formats/input_error.h"
 #include "experiments/verbs/usage_error.h"
 #include "experiments/verbs/voice.h"
 
@@ -31,20 +34,34 @@ bool make_decimal(std::string& word) {
   return true;
 }
 
+void check_word(CLI::Option& option) {
+  option.check(CLI::Validator(refuse_empty, ""));
+  const std::string type = option.get_type_name();
+  if (type != "INT" && type != "UINT") return;
+  option.transform(CLI::Validator(
+      [name = option.get_name(), is_signed = type == "INT"](std::string& word) {
+        if (word.empty()) return refuse_empty(word);
+        const bool is_whole =
+            is_signed ? make_decimal<std::int64_t>(word) : make_decimal<std::uint64_t>(word);
+        return is_whole ? std::string() : whole_number_problem(name, word);
+      },
+      ""));
+}
+
+// Before a word in square brackets, which the parser would take apart as a list.
+constexpr char kWhole = '\x01';
+
+std::string drop_mark(std::string& word) {
+  if (!word.empty() && word.front() == kWhole) word.erase(0, 1);
+  return "";
+}
+
 void check_words(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
     if (option->get_items_expected_max() == 0) continue;
-    option->check(CLI::Validator(refuse_empty, ""));
-    const std::string type = option->get_type_name();
-    if (type != "INT" && type != "UINT") continue;
-    option->transform(CLI::Validator(
-        [name = option->get_name(), is_signed = type == "INT"](std::string& word) {
-          if (word.empty()) return refuse_empty(word);
-          const bool is_whole =
-              is_signed ? make_decimal<std::int64_t>(word) : make_decimal<std::uint64_t>(word);
-          return is_whole ? std::string() : whole_number_problem(name, word);
-        },
-        ""));
+    check_word(*option);
+    option->transform(
+        CLI::Validator(drop_mark, ""));  // the last one added is the first to see the word
   }
   for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
     check_words(*verb);
@@ -52,6 +69,21 @@ void check_words(CLI::App& app) {
 }
 
 }  // namespace
+
+std::vector<std::string> command_words(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  const auto end = std::find(words.begin(), words.end(), "--");
+  for (auto word = words.begin(); word != end; ++word) {
+    if (!word->starts_with("--") || word->find('=') != word->size() - 1) continue;
+    throw formats::InputError(
+        word->substr(0, word->size() - 1), "",
+        "there is nothing behind the =", "write a value there, or leave the option out");
+  }
+  for (std::string& word : words) {
+    if (word.starts_with('[') && word.ends_with(']')) word.insert(word.begin(), kWhole);
+  }
+  return words;
+}
 
 void add_verbs(CLI::App& app, int& exit_code) {
   add_run_verb(app, exit_code);

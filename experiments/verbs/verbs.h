@@ -6,6 +6,9 @@
 #ifndef KINEX_EXPERIMENTS_VERBS_VERBS_H
 #define KINEX_EXPERIMENTS_VERBS_VERBS_H
 
+#include <string>
+#include <vector>
+
 namespace CLI {
 class App;
 }
@@ -37,6 +40,11 @@ void add_list_verb(CLI::App& app, int& exit_code);
 void add_explain_verb(CLI::App& app, int& exit_code);
 void add_help_verb(CLI::App& app, int& exit_code);
 void add_completion_verb(CLI::App& app, int& exit_code);
+
+// The words of the command line, for the parser. Throws InputError for an option with an = and nothing behind it, whose value
+// the parser would take from the next word. Names in square brackets, which it would take apart as lists, are marked; add_verbs
+// has the marks taken away.
+std::vector<std::string> command_words(int argc, char** argv);
 
 // Adds all verbs, and the options that all of them have.
 void add_verbs(CLI::App& app, int& exit_code);

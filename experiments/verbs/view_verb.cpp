@@ -93,7 +93,8 @@ Wanted wanted_log(std::string text, const std::string& file) {
 
 Wanted wanted_with(const std::string& with) {
   if (names_arithmetic(with)) return {with, "", ""};
-  if (with != "-" && !std::filesystem::exists(with)) {
+  std::error_code error;
+  if (with != "-" && !std::filesystem::exists(with, error)) {
     throw formats::InputError("--with", "", show_text(with) + " is neither an arithmetic nor a file",
                      "write exact, sturm, double, gsl, mpfr:P with P bits, or the name of an event "
                      "log of the scene");
@@ -248,7 +249,7 @@ void view(const ViewOptions& options, const Voice& voice, int& exit_code) {
   }
   InterruptGuard interrupt;  // before a temporary file exists
   std::optional<formats::OutputFile> output;
-  if (options.output != "-") output.emplace(options.output, options.force);
+  if (!formats::is_standard_output(options.output)) output.emplace(options.output, options.force);
   std::vector<view::RecordedRun> runs;
   for (const Wanted& wanted : viewed.runs) {
     std::string note;

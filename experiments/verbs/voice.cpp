@@ -41,7 +41,7 @@ std::string colour_of(const CLI::App& verb) {
 bool is_given(const CLI::App& verb, const char* name) {
   for (const CLI::App* app = &verb; app != nullptr; app = app->get_parent()) {
     const CLI::Option* option = app->get_option_no_throw(name);
-    if (option != nullptr && option->count() > 0) return true;
+    if (option != nullptr && option->count() > 0) return option->as<bool>();  // --quiet=false
   }
   return false;
 }

@@ -12,17 +12,17 @@
 
 namespace kinex {
 
-CrossingLists::CrossingLists(Kernel& kernel, StructureId id, std::size_t objects)
+CrossingLists::CrossingLists(Kernel& kernel, StructureId id, const std::vector<bool>& is_line)
     : kernel_(&kernel),
       slope_order_(kernel.bind(make_coordinate_order(0))),
       orientation_(kernel.bind(make_orientation_2())),
       slots_(kernel, id, "crossings"),
-      stride_(static_cast<std::uint32_t>(objects)),
-      rows_(objects),
-      places_(objects * objects, kNowhere),
-      certificates_(objects * objects, kNoCertificate),
-      sides_(objects * objects),
-      loose_(objects) {}
+      numbers_(is_line),
+      rows_(is_line.size()),
+      places_(std::size_t{numbers_.count()} * numbers_.count(), kNowhere),
+      certificates_(places_.size(), kNoCertificate),
+      sides_(places_.size()),
+      loose_(is_line.size()) {}
 
 // ---- signs and claims
 
@@ -207,7 +207,8 @@ void CrossingLists::erase(ObjectId line) {
 // The certificate between the two comes first: the arithmetic reuses its polynomial.
 CrossingLists::Swap CrossingLists::failed(CertificateId c) {
   const std::uint32_t tag = slots_.failed(c);
-  const ObjectId l = tag / stride_, m = tag % stride_;
+  const ObjectId l = numbers_.line(tag / numbers_.count()),
+                 m = numbers_.line(tag % numbers_.count());
   const std::size_t p = place(l, m);
   std::vector<ObjectId>& row = rows_[l];
   const ObjectId k = row[p + 1];
@@ -253,7 +254,7 @@ void CrossingLists::motions_changed(std::span<const ObjectId> objects) {
     }
   }
   each_tie(*kernel_, slots_.structure(), objects, [this](CertificateId c) {
-    if (slots_.owns(c)) note_tie(kernel_->tag(c) / stride_);
+    if (slots_.owns(c)) note_tie(numbers_.line(kernel_->tag(c) / numbers_.count()));
   });
 }
 
@@ -316,8 +317,8 @@ void CrossingLists::check(AuditReport& report) const {
 }
 
 std::size_t CrossingLists::bytes() const {
-  const std::size_t n = stride_;
-  return n * n * (sizeof(std::uint32_t) + sizeof(CertificateId) + 1) +
+  return places_.size() * (sizeof(std::uint32_t) + sizeof(CertificateId) + 1) + numbers_.bytes() +
+         rows_.capacity() * sizeof(std::vector<ObjectId>) +
          lines_.size() * lines_.size() * sizeof(ObjectId);
 }
 

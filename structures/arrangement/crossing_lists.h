@@ -34,6 +34,7 @@
 #include "core/engine/audit.h"
 #include "core/engine/kernel.h"
 #include "core/engine/proof.h"
+#include "structures/arrangement/line_numbers.h"
 #include "structures/arrangement/order_changes.h"
 #include "structures/parts/slots.h"
 
@@ -47,10 +48,12 @@ class CrossingLists {
     ObjectId line, before, after;
   };
 
-  // `objects`: of the scene.
-  CrossingLists(Kernel& kernel, StructureId id, std::size_t objects);
+  // `is_line`: by object, the lines that may be there.
+  CrossingLists(Kernel& kernel, StructureId id, const std::vector<bool>& is_line);
 
   bool owns(CertificateId c) const { return slots_.owns(c); }
+  // Of the lines that may be there.
+  const LineNumbers& numbers() const { return numbers_; }
   // The lines that exist, ascending.
   const std::vector<ObjectId>& lines() const { return lines_; }
   const std::vector<ObjectId>& order(ObjectId line) const { return rows_[line]; }
@@ -86,7 +89,9 @@ class CrossingLists {
   std::size_t bytes() const;
 
  private:
-  std::size_t at(ObjectId l, ObjectId m) const { return l * stride_ + m; }
+  std::size_t at(ObjectId l, ObjectId m) const {
+    return std::size_t{numbers_[l]} * numbers_.count() + numbers_[m];
+  }
   bool crosses(ObjectId l, ObjectId m) const { return l != m && side(l, m) != 0; }
   int side_now(ObjectId l, ObjectId m) const;
   void set_side(ObjectId l, ObjectId m, int side);
@@ -97,7 +102,7 @@ class CrossingLists {
   // The slot of the claim about m and the next line on l.
   CertificateId& slot(ObjectId l, ObjectId m) { return certificates_[at(l, m)]; }
   CertificateId slot(ObjectId l, ObjectId m) const { return certificates_[at(l, m)]; }
-  std::uint32_t tag(ObjectId l, ObjectId m) const { return l * stride_ + m; }
+  std::uint32_t tag(ObjectId l, ObjectId m) const { return static_cast<std::uint32_t>(at(l, m)); }
   bool is_tied(ObjectId l, ObjectId m) const;
   bool has_wrong_tie(ObjectId l) const;
   bool is_at_end(ObjectId l, ObjectId m) const;
@@ -118,7 +123,7 @@ class CrossingLists {
   Kernel* kernel_;
   PredicateId slope_order_, orientation_;
   Slots slots_;
-  std::uint32_t stride_;
+  LineNumbers numbers_;
   std::vector<ObjectId> lines_;
   std::vector<std::vector<ObjectId>> rows_;  // by line
   std::vector<std::uint32_t> places_;        // by line and line, as the next two

@@ -17,18 +17,18 @@ FaceWalls::Side other(FaceWalls::Side side) {
 
 }  // namespace
 
-FaceWalls::FaceWalls(Kernel& kernel, StructureId id, const CrossingLists& crossings,
-                     std::size_t objects)
+FaceWalls::FaceWalls(Kernel& kernel, StructureId id, const CrossingLists& crossings)
     : kernel_(&kernel),
       crossings_(&crossings),
       order_(kernel.bind(make_slope_order_2())),
-      slots_(kernel, id, "walls"),
-      stride_(static_cast<std::uint32_t>(objects)),
-      ends_(2 * objects * objects, kAbsent),
-      before_(2 * objects * objects, kAbsent),
-      certificates_(2 * objects * objects, kNoCertificate),
-      nexts_(2 * objects * objects),
-      marks_(2 * objects * (objects + 1)) {}
+      slots_(kernel, id, "walls") {
+  const std::size_t lines = numbers().count();
+  ends_.assign(2 * lines * lines, kAbsent);
+  before_ = ends_;
+  certificates_.assign(ends_.size(), kNoCertificate);
+  nexts_.resize(ends_.size());
+  marks_.resize(2 * lines * (lines + 1));
+}
 
 // ---- faces
 
@@ -46,10 +46,10 @@ std::vector<FaceWalls::Far> FaceWalls::far_right(std::span<const ObjectId> slope
     for (std::size_t i = begin; i < end; ++i) order.push_back(slopes[i]);
     end = begin;
   }
-  std::vector<Far> far(stride_);
+  std::vector<Far> far(numbers().count());
   for (std::size_t i = 0; i + 1 < order.size(); ++i) {
-    far[order[i]].below = order[i + 1];
-    far[order[i + 1]].above = order[i];
+    far[numbers()[order[i]]].below = order[i + 1];
+    far[numbers()[order[i + 1]]].above = order[i];
   }
   return far;
 }
@@ -93,7 +93,7 @@ bool FaceWalls::face_at(const Edge& edge, Side side, std::span<const Far> far, F
   if (!walk(edge, side, own)) return false;
   std::optional<Edge> there = own.right ? own.right : own.left;
   if (!there) {
-    const Far& next = far[own.edges.back().line];
+    const Far& next = far[numbers()[own.edges.back().line]];
     const ObjectId line = side == kUp ? next.above : next.below;
     if (line == kNoObject) return true;
     there = last_edge(line);
@@ -270,10 +270,11 @@ bool FaceWalls::settle(std::span<const ObjectId> slopes) {
     return std::all_of(notes.begin(), notes.end(),
                        [&](const Note& note) { return settle_note(note, far); });
   }
-  std::vector<bool> is_there(stride_);
-  for (const ObjectId line : crossings_->lines()) is_there[line] = true;
+  std::vector<bool> is_there(numbers().count());
+  for (const ObjectId line : crossings_->lines()) is_there[numbers()[line]] = true;
   each(false, [&](const Wall& wall, ObjectId) {
-    if (is_there[wall.l] && is_there[wall.m] && crosses(wall.l, wall.m)) return;
+    if (is_there[numbers()[wall.l]] && is_there[numbers()[wall.m]] && crosses(wall.l, wall.m))
+      return;
     slots_.drop(certificates_[at(wall)]);
     set_end(wall, kAbsent);
   });

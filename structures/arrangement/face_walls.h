@@ -60,8 +60,8 @@ class FaceWalls {
   // The line on which a wall ends; kNoObject: none, it has no end. kAbsent: there is no such wall.
   static constexpr ObjectId kAbsent = kNoObject - 1;
 
-  // `crossings` outlives this part. `objects`: of the scene.
-  FaceWalls(Kernel& kernel, StructureId id, const CrossingLists& crossings, std::size_t objects);
+  // `crossings` outlives this part.
+  FaceWalls(Kernel& kernel, StructureId id, const CrossingLists& crossings);
 
   bool owns(CertificateId c) const { return slots_.owns(c); }
   ObjectId end(const Wall& wall) const { return ends_[at(wall)]; }
@@ -93,10 +93,10 @@ class FaceWalls {
   // Calls visit(wall, end) for all walls, ascending; `before`: as they were when forget() was called.
   template <class Visit>
   void each(bool before, const Visit& visit) const {
-    for (ObjectId l = 0; l < stride_; ++l) {
-      for (ObjectId m = l + 1; m < stride_; ++m) {
+    for (std::size_t l = 0; l < numbers().count(); ++l) {
+      for (std::size_t m = l + 1; m < numbers().count(); ++m) {
         for (const Side side : {kUp, kDown}) {
-          const Wall wall{l, m, side};
+          const Wall wall{numbers().line(l), numbers().line(m), side};
           const ObjectId end = (before ? before_ : ends_)[at(wall)];
           if (end != kAbsent) visit(wall, end);
         }
@@ -140,12 +140,13 @@ class FaceWalls {
     ObjectId above = kNoObject, below = kNoObject;
   };
 
+  const LineNumbers& numbers() const { return crossings_->numbers(); }
   std::size_t at(const Wall& wall) const {
-    return 2 * (static_cast<std::size_t>(wall.l) * stride_ + wall.m) + wall.side;
+    return 2 * (std::size_t{numbers()[wall.l]} * numbers().count() + numbers()[wall.m]) + wall.side;
   }
   Wall wall_of(std::size_t place) const {
-    return {static_cast<ObjectId>(place / 2 / stride_), static_cast<ObjectId>(place / 2 % stride_),
-            place % 2 == 0 ? kUp : kDown};
+    return {numbers().line(place / 2 / numbers().count()),
+            numbers().line(place / 2 % numbers().count()), place % 2 == 0 ? kUp : kDown};
   }
   bool crosses(ObjectId l, ObjectId m) const;
   Edge edge_after(ObjectId line, ObjectId m) const { return {line, crossings_->place(line, m)}; }
@@ -171,7 +172,8 @@ class FaceWalls {
   bool settle_along(ObjectId line, std::span<const Far> far);
   bool settle_note(const Note& note, std::span<const Far> far);
   std::uint32_t& mark(const Edge& edge, Side side) {
-    return marks_[2 * (edge.line * (std::size_t{stride_} + 1) + edge.place) + side];
+    return marks_[2 * (numbers()[edge.line] * (std::size_t{numbers().count()} + 1) + edge.place) +
+                  side];
   }
   // Calls visit(face) for all faces. False as settle(). Every face has an edge that it is above, or one
   // that it is below, as its first one.
@@ -225,7 +227,6 @@ class FaceWalls {
   const CrossingLists* crossings_;
   PredicateId order_;
   Slots slots_;
-  std::uint32_t stride_;
   std::vector<ObjectId> ends_, before_;      // by wall
   std::vector<CertificateId> certificates_;  // by wall: of it and the next one
   std::vector<std::uint32_t> nexts_;         // by wall: that one, where there is a certificate

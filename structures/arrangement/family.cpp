@@ -12,6 +12,7 @@
 #include "structures/arrangement/incidences_all.h"
 #include "structures/arrangement/incidences_cutting.h"
 #include "structures/arrangement/line_arrangement_2.h"
+#include "structures/arrangement/line_bounds.h"
 #include "structures/arrangement/line_sample.h"
 #include "structures/arrangement/points_in_arrangement.h"
 #include "structures/arrangement/trapezoids_2.h"
@@ -94,7 +95,12 @@ StructureInfo arrangement_of_lines() {
   info.ties =
       "lines are raised by infinitesimals, more so the smaller the id; parallel ones cross nowhere";
   info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
-  info.make = make_plain<LineArrangement2>;
+  info.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
+    std::vector<bool> lines = lines_of(in.scene);
+    const std::vector<bool> members = in.scene.members(in.request.of);
+    for (ObjectId id = 0; id < members.size(); ++id) lines[id] = lines[id] && members[id];
+    return std::make_unique<LineArrangement2>(in.kernel, in.id, lines);
+  };
   return info;
 }
 
@@ -143,8 +149,8 @@ StructureInfo trapezoids() {
       "lines are raised by infinitesimals, more so the smaller the id; parallel ones cross nowhere";
   info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
   info.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
-    return std::make_unique<Trapezoids2>(
-        in.kernel, in.id, dynamic_cast<const LineArrangement2&>(*in.watched[0]), in.scene);
+    return std::make_unique<Trapezoids2>(in.kernel, in.id,
+                                         dynamic_cast<const LineArrangement2&>(*in.watched[0]));
   };
   return info;
 }

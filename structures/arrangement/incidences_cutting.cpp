@@ -25,7 +25,8 @@ IncidencesCutting::IncidencesCutting(Kernel& kernel, StructureId id, const Trape
       slots_(kernel, id, "places"),
       places_(scene.objects.size()),
       sides_(kernel, id),
-      above_(scene.objects.size() * scene.objects.size()),
+      numbers_(is_line_),
+      above_(numbers_.count() * scene.objects.size()),
       events_(kernel, id) {
   for (const ObjectId line : sample) is_sample_[line] = true;
   for (Place& place : places_) place.certificates.fill(kNoCertificate);

@@ -49,6 +49,7 @@
 
 #include "core/engine/structure.h"
 #include "structures/arrangement/cutting_cells.h"
+#include "structures/arrangement/line_numbers.h"
 #include "structures/arrangement/line_sides.h"
 #include "structures/arrangement/line_ways.h"
 #include "structures/proximity/meeting_events.h"
@@ -114,10 +115,10 @@ class IncidencesCutting final : public Structure {
   void compare(ObjectId line, ObjectId p);
   void watch(ObjectId line, ObjectId p);  // or no longer, as it crosses the cell of p
   std::vector<bool>::reference above(ObjectId line, ObjectId p) {
-    return above_[std::size_t{line} * places_.size() + p];
+    return above_[std::size_t{numbers_[line]} * places_.size() + p];
   }
   bool above(ObjectId line, ObjectId p) const {
-    return above_[std::size_t{line} * places_.size() + p];
+    return above_[std::size_t{numbers_[line]} * places_.size() + p];
   }
 
   static constexpr int kMostTries = 100;
@@ -132,7 +133,8 @@ class IncidencesCutting final : public Structure {
   Slots slots_;
   std::vector<Place> places_;  // by object
   LineSides sides_;
-  std::vector<bool> above_;  // by line and point
+  LineNumbers numbers_;
+  std::vector<bool> above_;  // by number of a line and by point
   MeetingEvents events_;
   Ids lost_;
   Ids suspects_;  // sample lines that have passed crossings of the sample

@@ -10,11 +10,11 @@
 namespace kinex {
 
 // Lines as points (a, b): along x they are ordered by slope, and level ones by height, from above.
-LineArrangement2::LineArrangement2(Kernel& kernel, StructureId id, const Scene& scene)
+LineArrangement2::LineArrangement2(Kernel& kernel, StructureId id, const std::vector<bool>& is_line)
     : kernel_(&kernel),
       id_(id),
-      slopes_(kernel, id, "slopes", TurnedOrder(kernel, {1, 0}), scene.objects.size()),
-      crossings_(kernel, id, scene.objects.size()) {}
+      slopes_(kernel, id, "slopes", TurnedOrder(kernel, {1, 0}), is_line.size()),
+      crossings_(kernel, id, is_line) {}
 
 void LineArrangement2::report(Kind kind, std::initializer_list<ObjectId> ids) {
   kernel_->report(id_, kind, ids, false);

@@ -48,13 +48,13 @@
 
 namespace kinex {
 
-// The arrangement of all lines of the scene.
 class LineArrangement2 final : public Structure {
  public:
   // Ranks in event_kinds().
   enum Kind : std::uint8_t { kTriple, kParallel, kEqual, kSwap, kSlopes, kTie };
 
-  LineArrangement2(Kernel& kernel, StructureId id, const Scene& scene);
+  // `is_line`: by object, the lines that it may be built from.
+  LineArrangement2(Kernel& kernel, StructureId id, const std::vector<bool>& is_line);
 
   std::string_view name() const override { return "line_arrangement_2"; }
   std::vector<std::string_view> event_kinds() const override {

@@ -8,12 +8,8 @@
 
 namespace kinex {
 
-Trapezoids2::Trapezoids2(Kernel& kernel, StructureId id, const LineArrangement2& lines,
-                         const Scene& scene)
-    : kernel_(&kernel),
-      id_(id),
-      lines_(&lines),
-      walls_(kernel, id, lines.crossings(), scene.objects.size()) {}
+Trapezoids2::Trapezoids2(Kernel& kernel, StructureId id, const LineArrangement2& lines)
+    : kernel_(&kernel), id_(id), lines_(&lines), walls_(kernel, id, lines.crossings()) {}
 
 // Of a triangle that turns over, inexact arithmetics may change the lists of its lines one after the other,
 // at different times: in between faces do not close. All of them are cut when it is heard of the next change.

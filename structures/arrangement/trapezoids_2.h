@@ -53,7 +53,7 @@ class Trapezoids2 final : public Structure {
   enum Kind : std::uint8_t { kWallUp, kWallDown, kWallPass };
 
   // `lines` outlives this structure and is watched by it.
-  Trapezoids2(Kernel& kernel, StructureId id, const LineArrangement2& lines, const Scene& scene);
+  Trapezoids2(Kernel& kernel, StructureId id, const LineArrangement2& lines);
 
   std::string_view name() const override { return "trapezoids_2"; }
   std::vector<std::string_view> event_kinds() const override {

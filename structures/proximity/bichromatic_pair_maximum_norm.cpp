@@ -68,7 +68,7 @@ void BichromaticPairMaximumNorm::certificate_failed(CertificateId failed) {
 void BichromaticPairMaximumNorm::motions_changed(std::span<const ObjectId> objects) {
   offers_.motions_changed(objects, exchanged());
   std::vector<Value> moved;
-  const auto moves = [&](ObjectId id) { return std::ranges::find(objects, id) != objects.end(); };
+  const auto moves = [&](ObjectId id) { return std::ranges::binary_search(objects, id); };
   for (const Value& value : counts_.values()) {
     if (moves(value[0]) || moves(value[1])) moved.push_back(value);
   }

@@ -119,7 +119,7 @@ void ConeTree::motions_changed(std::span<const ObjectId> objects) {
   std::vector<Item> items;
   for (const auto& [pair, item] : lengths_.items()) {
     const auto moves = [&](ObjectId id) {
-      return std::find(objects.begin(), objects.end(), id) != objects.end();
+      return std::binary_search(objects.begin(), objects.end(), id);
     };
     if (moves(pair[0]) || moves(pair[1])) items.push_back(item);
   }

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "structures/parts/merge_sort.h"
+
 namespace kinex {
 namespace {
 
@@ -133,8 +135,7 @@ void SchnyderWood::insert(ObjectId p, std::span<const ObjectId> points) {
   present_[p] = true;
   for (std::size_t i = 0; i < kColours; ++i) {
     const std::size_t j = successor(i);
-    std::sort(choose[i].begin(), choose[i].end(),
-              [&](ObjectId a, ObjectId b) { return before_(j, a, b); });
+    merge_sort(choose[i], [&](ObjectId a, ObjectId b) { return before_(j, a, b); });
     for (const ObjectId r : choose[i]) {
       const ObjectId old = links_[r][i].target;
       unlink(i, r);

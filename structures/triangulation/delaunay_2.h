@@ -126,6 +126,7 @@ class Delaunay2 final : public Structure, public LocalPairs {
   // flips at the instant at which a sheared lattice becomes square.
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
   void check_invariants(AuditReport& report) const override;
+  bool holds_at(const Snapshot& snapshot) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override;
 

@@ -14,6 +14,7 @@
 #include "structures/parts/binomial.h"
 #include "structures/triangulation/audit_text.h"
 #include "structures/triangulation/delaunay_2.h"
+#include "structures/triangulation/spread_out.h"
 
 namespace kinex {
 namespace {
@@ -112,6 +113,11 @@ void Delaunay2::check_invariants(AuditReport& report) const {
              std::to_string(store_.target(h)) + " does not hold the smallest id";
     });
   }
+}
+
+bool Delaunay2::holds_at(const Snapshot& snapshot) const {
+  return on_line_ ||
+         is_spread_out(store_, [&snapshot](ObjectId v) { return point_of(snapshot, v); });
 }
 
 void Delaunay2::audit(const Snapshot& snapshot, AuditReport& report) const {

@@ -66,8 +66,17 @@ bool inside_by_ties(const std::vector<Point>& points, const Quad& cell, ObjectId
 
 }  // namespace
 
+// Certificates that have failed an even number of times since now are positive again, though cells have
+// turned over.
 bool Delaunay3::holds_at(const Snapshot& snapshot) const {
-  return !planar() || plane_->holds_at(snapshot);
+  if (planar()) return plane_->holds_at(snapshot);
+  for (Cell c = 0; c < store_.cell_capacity(); ++c) {
+    if (!store_.live(c) || store_.ghost(c)) continue;
+    const Quad quad = store_.quad(c);
+    const auto at = [&](std::size_t i) { return point_of(snapshot, quad[i]); };
+    if (CGAL::orientation(at(0), at(1), at(2), at(3)) != CGAL::POSITIVE) return false;
+  }
+  return true;
 }
 
 std::vector<BoundCheck> Delaunay3::bounds(const BoundContext& context) const {

@@ -13,6 +13,7 @@
 
 #include "structures/triangulation/audit_text.h"
 #include "structures/triangulation/regular_2.h"
+#include "structures/triangulation/spread_out.h"
 
 namespace kinex {
 namespace {
@@ -81,29 +82,13 @@ bool below_by_ties(const std::vector<Weighted>& points, const Corners& t, Object
 
 }  // namespace
 
-// Certificates that have failed an even number of times since now are positive again, though triangles
-// have turned over, or the hull winds around twice.
 bool Regular2::holds_at(const Snapshot& snapshot) const {
-  const auto point = [&snapshot](ObjectId v) {
-    const auto at = [&](int axis) { return Number(CGAL::Gmpq(snapshot.position(v, axis).raw())); };
-    return Point(at(0), at(1));
-  };
-  for (Triangle t = 0; t < store_.triangle_capacity(); ++t) {
-    if (!store_.live(t) || store_.ghost(t)) continue;
-    const Corners c = store_.corners(t);
-    if (!CGAL::left_turn(point(c[0]), point(c[1]), point(c[2]))) return false;
-  }
-  if (flat_) return true;
-  int ends = 0;  // of the part of the hull on which x ascends
-  const HalfEdge first = store_.out(store_.infinity());
-  HalfEdge at = first;
-  do {
-    const HalfEdge next = store_.around(at), last = store_.around(next);
-    const Point a = point(store_.target(at)), b = point(store_.target(next));
-    if (a < b && !(b < point(store_.target(last)))) ++ends;
-    at = next;
-  } while (at != first);
-  return ends == 1;
+  return flat_ || is_spread_out(store_, [&snapshot](ObjectId v) {
+           const auto at = [&](int axis) {
+             return Number(CGAL::Gmpq(snapshot.position(v, axis).raw()));
+           };
+           return Point(at(0), at(1));
+         });
 }
 
 void Regular2::audit(const Snapshot& snapshot, AuditReport& report) const {

@@ -248,6 +248,7 @@ bool SewnTriangulation<Geometry>::sew_once(std::vector<Cell> cells, const Guests
         if (!inside(Complex::cell(Complex::mate(store_, f)))) rim.push_back(f);
       }
     }
+    if (rim.empty()) return false;  // all of a part that contradictory signs have cut off
     sort_unique(vertices);
     const StaticResult built = build_patch(vertices);
     if (built == StaticResult::kFailed) return false;

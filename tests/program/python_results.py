@@ -91,6 +91,13 @@ def test_log_and_summary(folder):
         (folder / name).write_bytes(data)
         refused(lambda: kinex.read_log(folder / name), f"{folder / name}: {message}")
     refused(lambda: kinex.runs(folder / "bytes"), "it is no text in UTF-8")
+    # Ids with other ends of lines.
+    odd = json.loads((folder / "scene.json").read_text())
+    for number, one in enumerate(odd["objects"]):
+        one["id"] = f"a\u2028b\u0085c\u2029{number}"
+    (folder / "odd.json").write_text(json.dumps(odd))
+    kinex_run(folder, "run", "odd.json", "--maintain", "sorted_list", "--events", "odd.log")
+    assert len(kinex.read_log(folder / "odd.log").records) > 0
     refused(lambda: kinex.counters(folder / "run.json", "flops"), "take one that they have:")
 
 
@@ -107,6 +114,13 @@ def test_numbers():
         assert kinex.exact(text) == value, text
     for text in ("abc", "1/0", "0x", "0x1.8p", ""):
         refused(lambda: kinex.exact(text), f"{text!r} is no number")
+
+
+def test_names_of_databases(folder):
+    kinex_run(folder, "verify", "sorted_list", "--quick", "-o", "odd")
+    for name in ("r#1.sqlite", "r?1.sqlite", "r%41.sqlite"):
+        (folder / name).write_bytes((folder / "odd" / "verify.sqlite").read_bytes())
+        assert kinex.runs(folder / name)
 
 
 def test_limits_and_zeros(folder):
@@ -245,7 +259,8 @@ test_instants()
 test_fit()
 test_numbers()
 with tempfile.TemporaryDirectory() as scratch:
-    for number, test in enumerate((test_log_and_summary, test_examples, test_growth_of_verify, test_too_many_series, test_limits_and_zeros)):
+    for number, test in enumerate((test_log_and_summary, test_examples, test_growth_of_verify, test_too_many_series, test_limits_and_zeros,
+                                   test_names_of_databases)):
         own = Path(scratch) / str(number)
         own.mkdir()
         test(own)

@@ -52,6 +52,7 @@ Finished run_and_watch(const std::vector<std::string>& arguments, const std::str
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error("fork failed");
   if (child == 0) {
+    std::signal(SIGINT, SIG_DFL);  // a shell's job in the background has it ignored
     redirect(scratch.file("in"), O_RDONLY, STDIN_FILENO);
     redirect(output.empty() ? scratch.file("out") : output, O_WRONLY | O_CREAT, STDOUT_FILENO);
     redirect(scratch.file("err"), O_WRONLY | O_CREAT, STDERR_FILENO);

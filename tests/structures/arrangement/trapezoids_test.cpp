@@ -306,5 +306,28 @@ TEST(Trapezoids, NoneToTwo) {
   EXPECT_EQ(at_start(scene), Ids{});
 }
 
+// Tables are as large as the lines ask for, however many points there are, and lines outside a sample.
+TEST(Trapezoids, PointsAndOtherLinesCostNothing) {
+  const auto bytes = [](const std::string& name, int lines, int points) {
+    std::vector<Trajectory> t;
+    for (int i = 0; i < lines; ++i) t.push_back(path({{i, 1}, {i * i}}));
+    for (int i = 0; i < points; ++i) t.push_back(path({{i}, {-i}}));
+    Scene scene = scene_of(t, 0, Rational(1));
+    for (int i = 0; i < lines; ++i) scene.objects[static_cast<std::size_t>(i)].line = true;
+    scene.maintain = {{name, name, {}}};
+    if (name == "incidences_cutting") scene.maintain[0].parameters = {{"r", Rational(2)}};
+    Simulator simulator(scene, planned_arithmetic("exact", scene),
+                        Trial::options(AuditLevel::kNone));
+    add_structures(simulator, scene);
+    simulator.start();
+    simulator.run_until(std::nullopt);
+    return simulator.ledger().peak_bytes;
+  };
+  // About a kilobyte for each object, and no table of all pairs, which would have 160 MB.
+  EXPECT_LT(bytes("trapezoids_2", 3, 2000), 8u << 20);
+  EXPECT_LT(bytes("points_in_arrangement", 3, 2000), 16u << 20);
+  EXPECT_LT(bytes("incidences_cutting", 600, 3), 16u << 20);
+}
+
 }  // namespace trapezoids_test
 }  // namespace kinex::test

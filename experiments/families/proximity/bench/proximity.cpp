@@ -149,7 +149,9 @@ void proximity(const lab::BenchOptions& options) {
       "All structures of an attribute on the same scenes, in exact arithmetic. Failures "
       "of certificates and changes of the attribute are means. Certificates (all, of "
       "one object, changed by an event): no run had more; where a structure reads "
-      "another one, the sum of what each had most. Both count structures that are read.",
+      "another one, the sum of what each had most. Both count structures that are read. Changed "
+      "by an event: by the repair of a failure; what is made when an instant is settled, or when "
+      "a structure that is read has changed, is not in it.",
       {{"attribute", lab::ResultTable::kText, 18},
        {"scenes", lab::ResultTable::kText, 24},
        {"n", 0, 4},
