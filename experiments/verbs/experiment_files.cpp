@@ -55,6 +55,11 @@ bool make_folder(const char* option, const std::string& folder) {
 
 void check_jobs(const ExperimentOptions& options) {
   check_range("--jobs", options.jobs, 1, kMostJobs);
+  if (!options.from.empty() && (options.fresh || options.jobs != 1)) {
+    throw formats::InputError(options.fresh ? "--fresh" : "--jobs", "",
+                              "--from reports on what has been run, and runs nothing",
+                              "leave one of the two out");
+  }
 }
 
 ResultFile::ResultFile(std::string path, bool force, sweep::Journal& journal)
@@ -73,11 +78,6 @@ sweep::Journal experiment_journal(const ExperimentOptions& options, const sweep:
   if (options.folder == "-") {
     throw formats::InputError("--output", "", "standard output takes no folder of files",
                               "name a folder; --json prints the result");
-  }
-  if (!options.from.empty() && (options.fresh || options.jobs != 1)) {
-    throw formats::InputError(options.fresh ? "--fresh" : "--jobs", "",
-                              "--from reports on what has been run, and runs nothing",
-                              "leave one of the two out");
   }
   const bool made = make_folder("--output", options.folder);
   using sweep::Leftover;

@@ -38,7 +38,7 @@ void add_experiment_options(CLI::App& verb, ExperimentOptions& options,
                             const ExperimentWords& words);
 // Makes the folder that the option names if there is none, and says whether it did. Throws InputError.
 bool make_folder(const char* option, const std::string& folder);
-// Throws InputError for --jobs out of range.
+// Throws InputError for --jobs out of range, and for --fresh or --jobs beside --from.
 void check_jobs(const ExperimentOptions& options);
 
 // A file of results. A resumed run replaces the output of the interrupted one without --force. The

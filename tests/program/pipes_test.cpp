@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "generated/tests/places.h"
+#include "tests/places.h"
 #include "tests/program/spawn.h"
 
 namespace kinex {

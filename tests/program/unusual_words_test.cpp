@@ -145,7 +145,7 @@ class UnusualImports : public UnusualWords {
     write_file(polygons_, "id,x,y\na,0,0\na,1,0\na,0,1\n");
     write_file(body_,
                R"({"type": "Feature", "id": "a", "temporalGeometry": {"type": "MovingPolygon",
-      "datetimes": ["0", "1"], "coordinates": [[[[0, 0], [1, 0], [0, 1], [0, 0]]], [[[2, 0], [3, 0], [2, 1], [2, 0]]]],
+      "datetimes": [0, 1000], "coordinates": [[[[0, 0], [1, 0], [0, 1], [0, 0]]], [[[2, 0], [3, 0], [2, 1], [2, 0]]]],
       "interpolation": "Linear"}})");
   }
 };
@@ -175,7 +175,7 @@ TEST_F(UnusualImports, QueriesAreKept) {
   write_file(scene, R"({"kinex": 1, "name": "q", "dimension": 2, "time": {"start": 0, "end": 2},
     "objects": [{"id": "a", "motion": [[0, 1], [0]]}, {"id": "b", "motion": [[1], [1, 1]]}],
     "maintain": ["range_tree_2"], "queries": [{"at": 1, "box": [[0, 2], [0, 2]]}]})");
-  const Finished out = run_kinex({"export", scene, "-o", exported});
+  const Finished out = run_kinex({"export", scene, "--mf-json", "-o", exported});
   ASSERT_EQ(out.exit_code, 0) << out.err;
   for (const Words& maintain : {Words{}, Words{"--maintain", "range_tree_2"}}) {
     Words words{"import", exported, "--planar"};
