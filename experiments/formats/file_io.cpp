@@ -306,6 +306,12 @@ void OutputFile::write(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail(std::strerror(errno));
 }
 
+void OutputFile::begin_again() {
+  if (stream_ == nullptr && temporary_.empty()) return;
+  if (std::fflush(file_) != 0 || ::ftruncate(::fileno(file_), 0) != 0) fail(std::strerror(errno));
+  std::rewind(file_);
+}
+
 void OutputFile::commit() {
   if (stream_ != nullptr) {
     const long size = std::fflush(file_) == 0 ? std::ftell(file_) : -1;

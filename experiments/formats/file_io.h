@@ -43,6 +43,8 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   void write(std::string_view text);
+  // Drops what was written, but for what a device has got already.
+  void begin_again();
   void commit();
   // Closes the file, cut after its last whole line, as PATH.partial (or under its temporary name
   // where that is taken), and returns the name; empty if there was no line to keep.

@@ -321,10 +321,7 @@ void run(RunOptions options, const Voice& voice, int& exit_code) {
     refused = refused_scene(scene, options.scene, change).what();
     simulator_options.stop_before = change.time();
     log.reset();
-    if (events_file) {
-      events_file.reset();
-      events_file.emplace(options.events, options.force, formats::Unfinished::kLinesKept);
-    }
+    if (events_file) events_file->begin_again();
     simulate();
   } catch (const std::invalid_argument& error) {
     throw refused_scene(scene, options.scene, error);
