@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pages of `kinex view` and the log of `kinex run`: how many log records a lane has, the ends of the time window, what records without
-a certificate are, numbers that no record has, and the nodes of queries.
+a certificate are, numbers that no record has, the nodes of queries, and numbers that are very small, large or close together.
 
 usage: view_records.py PROGRAM SOURCE_FOLDER
 Exit code 77 (skipped) where there is no Chromium.
 """
+import fractions
 import json
 import pathlib
 import sys
@@ -37,6 +38,29 @@ CHANGES = {"kinex": 1, "name": "changes", "dimension": 2, "time": {"start": 0, "
 WITHOUT = {"motion": "none: a change of the scene", "insert": "none: a change of the scene",
            "erase": "none: a change of the scene", "rebuild": "none: the whole proof is made anew",
            "settled": "none of its own: reports what this instant has changed"}
+
+
+
+
+def around(start, place, speed, turn):
+    """The coefficients of place + speed (t - start) + turn (t - start)^2."""
+    speed, turn = fractions.Fraction(speed), fractions.Fraction(turn)
+    return [str(place - speed * start + turn * start**2), str(speed - 2 * turn * start), str(turn)]
+
+
+# Times and places as they are in the world: seconds since 1970, metres on a map; and very small ones.
+LARGE = {"kinex": 1, "name": "large", "dimension": 2, "time": {"start": 1700000000, "end": 1700000020}, "maintain": ["sorted_list", "delaunay_2"],
+         "objects": [{"id": name, "motion": [around(1700000000, *motion), [row]]} for name, row, *motion in (
+             ("a", 437000, 5812300, "1/3", "1/97"), ("b", 437005, 5812302, "1/5", "1/89"), ("c", 437001, 5812305, "-1/7", "-1/101"),
+             ("d", 437007, 5812309, "-1/3", "1/103"))]}
+SMALL = {"kinex": 1, "name": "small", "dimension": 1, "time": {"start": 0, "end": "1/100000"}, "maintain": ["sorted_list"],
+         "objects": [{"id": "a", "motion": [[0, 0, 1]]}, {"id": "b", "motion": [["1/100000000000"]]}, {"id": "c", "motion": [["3/100000000000"]]}]}
+# The numbers of a canvas's texts, with their places: [number, x, y].
+NUMBERS = """((id, draw) => { const context = document.getElementById(id).getContext("2d"), write = context.fillText, found = [];
+  context.fillText = function (text, x, y) {
+    if (/^-?[0-9.]+(e-?[0-9]+)?$/.test(text)) found.push([text, x, y, this.textAlign]);
+    write.call(this, text, x, y); };
+  draw(); delete context.fillText; return found; })"""
 
 
 def fail(text):
@@ -192,15 +216,63 @@ def check_nodes(viewer):
         fail("the run counts no more nodes than are drawn")
 
 
+def check_instants(viewer):
+    """Instants in lists keep their powers of ten and all digits before the point, and differ where the log's do."""
+    for name, scene, near in (("small", SMALL, 1e-11), ("large", LARGE, 1e-4)):
+        events = look(viewer, name, scene)
+        shown = viewer.ask("FIRST.u.map((_, e) => shortInstant(instantOf(FIRST, e + 1)).split(' ').slice(1))")
+        if len(events) < 2 or len({text for _, text in shown}) < len({e["time"]["decimal"] for e in events}):
+            fail(f"{name}: instants are {shown}")
+        for (_, text), event in zip(shown, events):
+            value = float(fractions.Fraction(text))
+            if abs(value - float(event["time"]["decimal"])) > near or len(text) > 18:
+                fail(f"{name}: the instant {event['time']['decimal']} is {text}")
+    viewer.say("app.setStructure(0); app.setEvent(0); document.getElementById('show-certificates').click();")
+    times = viewer.ask("[0.25, 0.2501, 0.5].map(timeText)")
+    if times != ["1700000005", "1700000005.002", "1700000010"]:
+        fail(f"times are {times}")
+
+
+def check_scales(viewer):
+    """The numbers of scales differ, and each is where it says, however large, small or close together they are."""
+    cases = 0
+    for name in ("small", "large"):
+        viewer.open(f"{name}.html")
+        for zoom in (1, 30, 1000):
+            for mode in ("plane", "time", "axis"):
+                if viewer.ask(f"[...document.getElementById('drawing').options].find(o => o.value === '{mode}').disabled"):
+                    continue
+                viewer.say(f"app.setStructure(0); app.setMode('{mode}'); app.setTime(0.4); app.drawing.fit(); app.draw();"
+                           f" app.span = 1.04 / {zoom}; app.zoom({zoom}); app.draw();")
+                found = {"window": viewer.ask(NUMBERS + "('window', () => app.window.draw())"),
+                         "picture": viewer.ask(NUMBERS + "('picture', () => app.drawing.draw(app.picture))")}
+                for where, texts in found.items():
+                    for axis, align in ((1, "center"), (2, "left")):
+                        own = [(fractions.Fraction(text), place[axis - 1]) for text, *place in texts if place[2] == align]
+                        if len(own) < 2:
+                            continue
+                        cases += 1
+                        (v, p), (w, q) = min(own), max(own)
+                        if len({value for value, _ in own}) < len(own) or v == w:
+                            fail(f"{name}, {mode}, {where}, {zoom} times: equal numbers in {texts}")
+                        off = max(abs(place - (p + float((value - v) / (w - v)) * (q - p))) for value, place in own)
+                        if off > 2:
+                            fail(f"{name}, {mode}, {where}, {zoom} times: a number is {off} pixels from its place: {texts}")
+                if len(found["window"]) < 2:
+                    fail(f"{name}, {mode}: the window has the numbers {found['window']}")
+    if cases < 20:
+        fail(f"only {cases} scales were looked at")
+
+
 def main():
     browser()
     sys.path.insert(0, str(pathlib.Path(sys.argv[2]) / "experiments" / "view"))
     import devtools  # pylint: disable=import-outside-toplevel
     with tempfile.TemporaryDirectory() as name, devtools.Browser(1400, 950) as window:
         viewer = Viewer(sys.argv[1], name, window)
-        for check in (check_lanes, check_window, check_kinds, check_numbers, check_nodes):
+        for check in (check_lanes, check_window, check_kinds, check_numbers, check_nodes, check_instants, check_scales):
             check(viewer)
-    print("lanes, windows, kinds, numbers and nodes are as they should be")
+    print("lanes, windows, kinds, numbers, nodes, instants and scales are as they should be")
 
 
 if __name__ == "__main__":

@@ -57,10 +57,13 @@ class KeyAxis {
     context.textAlign = "right";
     context.fillText(keyName(key) + " \u2192", this.left + this.width, this.y + 30);
     context.textAlign = "center";
-    for (const value of ticks((middle - half) * scale, (middle + half) * scale, 8)) {
-      const at = x(value / scale);
+    let free = 0;  // where the last number ends
+    for (const [value, text] of ticks((middle - half) * scale, (middle + half) * scale, 8)) {
+      const at = x(value / scale), wide = context.measureText(text).width;
       context.fillRect(at - 0.5, this.y + 5, 1, 5);
-      context.fillText(shortNumber(value), at, this.y + 12);
+      if (at - wide / 2 < free) continue;
+      context.fillText(text, at, this.y + 12);
+      free = at + wide / 2 + 6;
     }
   }
 

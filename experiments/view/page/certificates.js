@@ -42,7 +42,7 @@ class Certificates {
   when(c) {
     const { proof } = this.app, k = proof.failsAt(c), time = proof.failureTime(c);
     if (k !== null) return "#" + k;
-    return isFinite(time) ? "t \u2248 " + shortNumber(timeNumber(time)) : "\u2013";
+    return isFinite(time) ? "t \u2248 " + timeText(time) : "\u2013";
   }
 
   drawRows() {

@@ -30,15 +30,8 @@ function eventsUntil(run, u) {
   return run.before + low;
 }
 
-// A number for people; u is in units of the span that is shown.
+// u is in units of the span that is shown.
 const timeNumber = u => DATA.time.start[1] + u * DATA.time.span;
-function shortNumber(x) {
-  if (x === null || !isFinite(x)) return "";
-  if (x === 0) return "0";
-  const size = Math.abs(x);
-  return size >= 1e5 || size < 1e-3 ? x.toExponential(2).replace("e+", "e")
-                                    : String(+x.toPrecision(5));
-}
 // A long integer or fraction, cut in the middle.
 function shortText(text, most = 34) {
   if (text.length <= most) return text;

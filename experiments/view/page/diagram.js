@@ -78,14 +78,14 @@ class Diagram {
     context.strokeStyle = COLOUR.line;
     context.lineWidth = 0.6;
     const texts = [[keyName(this.key) + " \u2191", 28]];
-    for (const value of ticks((middle - half) * scale, (middle + half) * scale, 5)) {
+    for (const [value, text] of ticks((middle - half) * scale, (middle + half) * scale, 5)) {
       const y = this.y(value / scale);
       if (y < 50) continue;  // its text would lie on the axis's name
       context.beginPath();
       context.moveTo(axis.left, y);
       context.lineTo(axis.right, y);
       context.stroke();
-      texts.push([shortNumber(value), y - 7]);
+      texts.push([text, y - 7]);
     }
     return texts;
   }

@@ -57,13 +57,20 @@ function rationalOf(instant) {
   instant.rational = found;
   return found;
 }
-// "t = 1/3" where that is short, else "t \u2248 0.333..", of at most so many characters.
-function instantText(instant, characters = 24) {
-  const exact = rationalOf(instant);
-  return exact !== null && exact.length <= 12 ? "t = " + exact : "t \u2248 " + instant[0].slice(0, characters);
+// A decimal of at most so many characters; but it keeps the digits before the point, `least` of those behind it, and the power of ten.
+function cutDecimal(text, most, least) {
+  const [, whole, digits, power] = /^([^.e]*)\.?(\d*)(.*)$/.exec(text);
+  const kept = digits.slice(0, Math.max(least, most - whole.length - 1 - power.length));
+  return whole + (kept === "" ? "" : "." + kept) + power;
 }
-// For lists.
-const shortInstant = instant => instantText(instant, 12);
+// "t = 1/3" where that is short, else "t \u2248 0.333..", of about so many characters.
+function instantText(instant, characters = 24, least = 0) {
+  const exact = rationalOf(instant);
+  return exact !== null && exact.length <= 12 ? "t = " + exact : "t \u2248 " + cutDecimal(instant[0], characters, least);
+}
+// For lists: with the digits that tell apart a millionth of the time that is shown.
+const DECIMALS = DATA.time.span > 0 ? Math.max(0, Math.min(12, 6 - powerOfTen(DATA.time.span))) : 0;
+const shortInstant = instant => instantText(instant, 12, DECIMALS);
 
 // An interval that holds the instant alone, halved until it is at most 2^-bits long; [low, high] with one
 // denominator each. A rational instant has an interval of no length.

@@ -161,7 +161,7 @@ function saveSvg() {
 // A frame of an animation, as a PNG's data URL: { u } in 0 .. 1, or { event }.
 window.kinexFrame = ({ u, event, width = 640, height = 480, caption = true }) => {
   if (event !== undefined) app.setEvent(event); else app.setTime(u);
-  const t = shortNumber(timeNumber(app.u));
+  const t = timeText(app.u);
   const text = app.k === BEFORE ? "t = " + t : "t \u2248 " + t + "   " + captionOf(app.k);
   return pictureAsCanvas(width, height, caption ? text : "").toDataURL("image/png");
 };

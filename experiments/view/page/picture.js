@@ -116,18 +116,6 @@ function passes([x0, y0], [x1, y1], [left, top, right, bottom]) {
   }
   return from < to;
 }
-// Round numbers between two ends, about `count` of them.
-function ticks(low, high, count) {
-  const rough = (high - low) / Math.max(1, count);
-  if (!(rough > 0) || !isFinite(rough)) return [];
-  const power = Math.pow(10, Math.floor(Math.log10(rough)));
-  const step = [1, 2, 5, 10].map(f => f * power).find(s => s >= rough);
-  const result = [];
-  for (let i = Math.ceil(low / step); i * step <= high && result.length < 50; ++i) {
-    result.push(+(i * step).toPrecision(12));
-  }
-  return result;
-}
 // A finite interval that holds all of these and has a length.
 function spread(low, high, margin) {
   if (!(low <= high)) return [-1, 1];
@@ -161,14 +149,18 @@ function drawScales(context, [left, top, width, height], origin, pixels, places,
   };
   const x = value => origin[0] + value / unit * pixels, y = value => origin[1] - value / unit * pixels * steep;
   const across = px => (px - origin[0]) / pixels * unit, up = py => (origin[1] - py) / (pixels * steep) * unit;
-  for (const value of ticks(across(left + 46), across(left + width - 40), width / 110)) {
+  let free = left;  // where the last number ends
+  for (const [value, text] of ticks(across(left + 46), across(left + width - 40), width / 110)) {
+    const [from, , to] = boxOf(text, x(value), bottom - 12, "center");
     context.fillStyle = COLOUR.quiet;
     context.fillRect(x(value) - 0.5, bottom - 5, 1, 5);
-    tick(shortNumber(value), x(value), bottom - 12, "center");
+    if (from < free) continue;
+    tick(text, x(value), bottom - 12, "center");
+    free = to;
   }
-  for (const value of ticks(up(bottom - 26), up(top + 24), height / 90)) {
+  for (const [value, text] of ticks(up(bottom - 26), up(top + 24), height / 90)) {
     context.fillStyle = COLOUR.quiet;
     context.fillRect(left, y(value) - 0.5, 5, 1);
-    tick(shortNumber(value), left + 8, y(value), "left");
+    tick(text, left + 8, y(value), "left");
   }
 }

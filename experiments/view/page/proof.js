@@ -191,7 +191,7 @@ class Proof {
   failureText(c) {
     const k = this.failsAt(c), failure = this.data.certificates[c][4];
     if (k !== null) return "at log record " + k + ", " + instantText(instantOf(this.run, k));
-    const time = u => (u === null ? "unknown" : shortNumber(timeNumber(u)));
+    const time = u => (u === null ? "unknown" : timeText(u));
     const goes = this.died[c] < 0x7fffffff ? "; it goes at log record " + this.died[c] : "";
     if (failure === 0) return "never, up to the end" + goes;
     if (failure === -1) return "never: it is identically zero" + goes;

@@ -85,7 +85,7 @@ function drawSpaceScales(context, view, box) {
       return true;
     };
     const [low, high] = [box[2 * axis] * unit, box[2 * axis + 1] * unit];
-    for (const value of unit !== null && low < high ? ticks(low, high, length / 55) : []) {
+    for (const [value, number] of unit !== null && low < high ? ticks(low, high, length / 55) : []) {
       const f = (value - low) / (high - low), [x, y] = place(f);
       context.strokeStyle = COLOUR.quiet;
       context.lineWidth = 1;
@@ -93,7 +93,7 @@ function drawSpaceScales(context, view, box) {
       context.moveTo(x, y);
       context.lineTo(x + 5 * across[0], y + 5 * across[1]);
       context.stroke();
-      text(shortNumber(value), f, 7);
+      text(number, f, 7);
     }
     for (const away of [24, 36, 48]) if (text("xyz"[axis], 0.5, away)) break;
   }

@@ -45,25 +45,23 @@ class TimeWindow {
     const end = axis.right + 14 - context.measureText(axis.name).width - 8;
     context.fillText(axis.name, axis.right + 14, y);
     context.textAlign = "center";
+    let free = 2;  // where the last number ends
+    const tick = (x, text) => {
+      const half = context.measureText(text).width / 2;
+      context.fillRect(x - 0.5, y - 12, 1, 4);
+      if (x - half <= free || x + half >= end) return;
+      context.fillText(text, x, y);
+      free = x + half + 6;
+    };
     if (axis.records) {
-      for (const value of ticks(Math.max(axis.first, axis.from), Math.min(axis.last, axis.to), (axis.right - axis.left) / 90)) {
-        if (value !== Math.round(value)) continue;
-        const x = axis.x(value), half = context.measureText(String(value)).width / 2;
-        context.fillRect(x - 0.5, y - 12, 1, 4);
-        if (x - half > 2 && x + half < end) context.fillText(String(value), x, y);
+      for (const [value] of ticks(Math.max(axis.first, axis.from), Math.min(axis.last, axis.to), (axis.right - axis.left) / 90)) {
+        if (value === Math.round(value)) tick(axis.x(value), String(value));
       }
       return;
     }
     const from = timeNumber(Math.max(0, axis.from)), to = timeNumber(Math.min(1, axis.to));
-    const values = from < to ? ticks(from, to, (axis.right - axis.left) / 110) : [];
-    const step = values.length > 1 ? values[1] - values[0] : 0;
-    const digits = step > 0 ? Math.max(0, Math.min(15, Math.ceil(-Math.log10(step) - 1e-9))) : 0;
-    for (const value of values) {
-      const x = axis.x((value - DATA.time.start[1]) / DATA.time.span);
-      context.fillRect(x - 0.5, y - 12, 1, 4);
-      const text = Math.abs(value) < 1e6 && digits < 8 ? value.toFixed(digits) : shortNumber(value);
-      const half = context.measureText(text).width / 2;
-      if (x - half > 2 && x + half < end) context.fillText(text, x, y);
+    for (const [value, text] of from < to ? ticks(from, to, (axis.right - axis.left) / 110) : []) {
+      tick(axis.x((value - DATA.time.start[1]) / DATA.time.span), text);
     }
   }
 
