@@ -30,12 +30,9 @@ class Certificates {
 
   // Failures at events of the page, failures that the run knew, then the others.
   sorted(proof) {
-    const time = c => {
-      const k = proof.failsAt(c);
-      return k !== null ? timeOf(proof.run, k) : proof.failureTime(c);
-    };
-    return [...proof.live].map(c => [c, time(c)])
-      .sort((a, b) => (a[1] === b[1] ? a[0] - b[0] : a[1] - b[1])).map(([c]) => c);
+    const all = [...proof.live], { times } = proof;
+    for (const c of all) proof.timeOfFailure(c);
+    return all.sort((a, b) => (times[a] === times[b] ? a - b : times[a] - times[b]));
   }
 
   // In short when it fails: a number of a log record, or a time, or "-".

@@ -1,6 +1,7 @@
 "use strict";
 // What the page shows; its form is described in page_data.h.
 const DATA = JSON.parse(window.kinexData || document.getElementById("data").textContent);
+delete window.kinexData;  // of a long run a long text
 for (const run of DATA.runs) unpackRun(run);
 const OBJECTS = DATA.ids.length;
 const RUNS = DATA.runs;

@@ -30,6 +30,7 @@ function rolesOf(run, { name, form, ids }) {
                    : form.places.map((object, place) => [run.forms[whole][4][place][0], ids[object]]);
 }
 const claimKey = (predicate, ids) => predicate + ":" + ids.join();
+const NO_EVENTS = [];
 const shortName = name =>
   (name.length <= 30 ? name : name.slice(0, 12) + "\u2026" + name.slice(-8));
 // The claim as a sentence.
@@ -54,6 +55,8 @@ class Proof {
       for (const c of gone) this.died[c] = event;
       for (const c of came) this.born[c] = event;
     }
+    this.failuresByClaim = new Array(run.claims.length);  // as far as they were asked for
+    this.times = new Float64Array(count).fill(NaN);       // likewise, by certificate
   }
 
   get isEmpty() { return this.data.groups.length === 0; }
@@ -144,7 +147,7 @@ class Proof {
     return [gone.filter(c => !after.has(mark(c))), came.filter(c => !before.has(mark(c)))];
   }
 
-  // The events of the structure that a failure caused, by claim.
+  // The events of the structure that a failure caused, by the text of the claim.
   get failures() {
     if (this.failureLists) return this.failureLists;
     this.failureLists = new Map();
@@ -157,10 +160,14 @@ class Proof {
     });
     return this.failureLists;
   }
+  // The same by the number of a claim; several have one text.
+  failuresOf(claim) {
+    return this.failuresByClaim[claim] ??= this.failures.get(claimKey(...this.run.claims[claim])) || NO_EVENTS;
+  }
   // The event after event k at which this certificate fails, or null: it goes before, or the page ends before.
   failsAt(c, k = 0) {
-    const [predicate, ids] = this.run.claims[this.data.certificates[c][3]];
-    const list = this.failures.get(claimKey(predicate, ids)) || [];
+    const list = this.failuresOf(this.data.certificates[c][3]);
+    if (list === NO_EVENTS) return null;
     const place = placeUntil(list, Math.max(k, this.born[c])) + 1;
     return place < list.length && list[place] <= this.died[c] ? list[place] : null;
   }
@@ -186,6 +193,14 @@ class Proof {
     if (failure === -2) return timeOf(this.run, this.born[c]);
     return Array.isArray(failure) && failure.length === 1 && failure[0] !== null ? failure[0]
                                                                                  : Infinity;
+  }
+  // When it fails at an event of the page, or else as far as the run knew.
+  timeOfFailure(c) {
+    if (Number.isNaN(this.times[c])) {
+      const k = this.failsAt(c);
+      this.times[c] = k !== null ? timeOf(this.run, k) : this.failureTime(c);
+    }
+    return this.times[c];
   }
   // The same in words.
   failureText(c) {
