@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pages of `kinex view`: Voronoi cells, colours, queries, frames of lines, records that report, curves with names,
-walls of grids, what is named, lines of a record, roles, frames of pairs.
+walls of grids, what is named, lines of a record, roles, frames of pairs and of one place, what has left.
 
 usage: view_marks.py PROGRAM SOURCE_FOLDER
 Exit code 77 (skipped) where there is no Chromium.
@@ -242,6 +242,60 @@ def check_frame(viewer):
             fail(f"at {u} the circle about {x}, {y} of radius {radius} is cut off")
 
 
+def check_place(viewer):
+    """One point, and points that meet, are in a frame that has a size: that of the whole run, or one around the place."""
+    one = {"kinex": 1, "dimension": 2, "time": {"start": 0, "end": 4}, "maintain": ["delaunay_2"]}
+    moves = {**one, "name": "one", "objects": [{"id": "a", "motion": [[3, 1], [2]]}]}
+    still = {**one, "name": "still", "objects": [{"id": "a", "motion": [[5000], [2]]}]}
+    meet = {**one, "name": "meet", "objects": [{"id": name, "motion": [[3 - 2 * x, x], [2 - 2 * y, y]]}
+                                               for name, x, y in (("a", 1, 0), ("b", 0, 1), ("c", -1, -1))]}
+    for scene in (moves, still, meet):
+        viewer.look(scene["name"], scene)
+    for scene, u, least, most in ((moves, 0, 50, 400), (moves, 0.5, 50, 400), (moves, 1, 50, 400), (still, 0.5, 0.01, 1),
+                                  (meet, 0.5, 50, 400)):
+        viewer.open(f"{scene['name']}.html")
+        scale, places, (left, top, wide, high) = viewer.ask(
+            f"(app.setMode('plane'), app.setTime({u}), app.draw(), [app.plane.scale / DATA.scale,"
+            " DATA.ids.map((_, i) => app.plane.at(i)), app.plane.rectangle])")
+        if not least < scale < most or any(not (left < x < left + wide and top < y < top + high) for x, y in places):
+            fail(f"{scene['name']} at {u}: a unit has {scale} pixels, the points are at {places}")
+    viewer.look("space", {**meet, "name": "space", "dimension": 3, "maintain": ["delaunay_3"],
+                          "objects": [{**one, "motion": [*one["motion"], [1]]} for one in meet["objects"]]})
+    scale = viewer.ask("(app.setTime(0.5), app.draw(), app.plane.scale / DATA.scale)")
+    if not 30 < scale < 400:
+        fail(f"points that meet in space: a unit has {scale} pixels")
+
+
+def check_left(viewer):
+    """Between the log records of one instant an object may have left that a structure still has: its figures are not drawn."""
+    square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+    bodies = {"kinex": 1, "name": "bodies", "dimension": 2, "time": {"start": 0, "end": 4},
+              "maintain": ["closest_features", "separation_mixed"],
+              "objects": [{"id": "a", "polygon": square, "motion": [[0], [0]]}, {"id": "b", "polygon": square, "motion": [[8, -1], ["1/3"]]},
+                          {"id": "c", "polygon": square, "motion": [{"from": 0, "to": 2, "coordinates": [["1/8", "1/16"], ["9/8"]]}]}]}
+    viewer.look("bodies", bodies)
+    seen = viewer.ask("(() => { let seen = 0; for (let k = BEFORE; k <= LAST; ++k) for (const i of DATA.structures.keys())"
+                      " for (const pair of [pairCode(0, 1), pairCode(0, 2), pairCode(1, 2)]) { app.chosen = pair; app.setStructure(i);"
+                      " app.setEvent(k); app.draw(); const away = pairOf(pair).some(body => app.drawing.poses[body] === null);"
+                      " seen += away && app.drawing.labels.length > 0; } return seen; })()")
+    if seen == 0:
+        fail("no body leaves before its certificates, or they leave no names")
+    structures = ["bounding_box", "min_circle_2", "width_2", "min_area_rectangle_2"]
+    points = {"kinex": 1, "name": "leaves", "dimension": 2, "time": {"start": 0, "end": 4}, "maintain": structures,
+              "objects": [{"id": "a", "motion": [[0], [0, "1/5"]]}, {"id": "b", "motion": [[1, "1/7"], [0]]},
+                          {"id": "c", "motion": [["1/2"], [1]]},
+                          {"id": "d", "motion": [{"from": 0, "to": 2, "coordinates": [[9, "-1/9"], [8]]}]}]}
+    viewer.look("leaves", points)
+    drawn = viewer.ask("(() => { const drawn = [], plain = drawOutline; drawOutline = (c, shapes, ...more) => { const ids = app.replay.row;"
+                       " drawn.push([app.shown(), ids.every(id => alive[id]), shapes.length]); plain(c, shapes, ...more); };"
+                       " app.setMode('plane'); for (let k = BEFORE; k <= LAST; ++k) for (const i of DATA.structures.keys()) {"
+                       " if (OUTLINES[DATA.structures[i].role] === undefined) continue; app.setStructure(i); app.setEvent(k); app.draw(); }"
+                       " drawOutline = plain; return drawn; })()")
+    left = [one for one in drawn if not one[1]]
+    if len({index for index, *_ in left}) < 3 or any(shapes > 0 for *_, shapes in left) or any(s == 0 for _, there, s in drawn if there):
+        fail(f"figures with a point that has left, and others: {drawn}")
+
+
 def check_feature_names(viewer):
     """Names of the features of two bodies cover no feature and no other name, and no leader runs through one."""
     viewer.look("near", ["polygon-spin-orbit", "--n", "24", "--m", "24", "--separation", "1/10", "--maintain", "separation_mixed"])
@@ -268,7 +322,7 @@ def main():
     with tempfile.TemporaryDirectory() as name, devtools.Browser(1400, 950) as window:
         viewer = Viewer(sys.argv[1], name, window)
         for check in (check_cell, check_colours, check_lines, check_reports, check_curves,
-                      check_walls, check_names, check_marked_lines, check_roles, check_frame,
+                      check_walls, check_names, check_marked_lines, check_roles, check_frame, check_place, check_left,
                       check_feature_names):
             check(viewer)
     print("cells, colours, lines, reports and curves are as they should be")

@@ -313,8 +313,9 @@ class Arena {
     this.placed = [];
     if (this.labels.length === 0) return;
     const [left, top, width, height] = this.frame.rectangle;
-    const middles = pair.map(body => middleOf(this.outlines[body]));
-    const across = [middles[0][1] - middles[1][1], middles[1][0] - middles[0][0]];
+    // A body that has left has no features here; its certificates may go with a later log record of the same instant.
+    const middles = pair.map(body => (this.outlines[body] === null ? null : middleOf(this.outlines[body])));
+    const across = middles.includes(null) ? [0, 0] : [middles[0][1] - middles[1][1], middles[1][0] - middles[0][0]];
     const size = Math.hypot(...across) || 1;
     const narrow = !this.overlap && this.labels.some(p => p.z === 0 && this.labels.some(q => q.z === 1 &&
       Math.hypot(p.where[0] - q.where[0], p.where[1] - q.where[1]) < 90));

@@ -51,7 +51,7 @@ function mostOf(numbers) {
   return [near[0], near[near.length - 1]];
 }
 // A length on an axis where nothing else gives one.
-const lengthAbout = x => Math.max(Math.abs(x) / 2, 1 / DATA.scale);
+const lengthAbout = x => Math.max(Math.abs(x) / 2, DATA.scale > 1e-300 ? 1 / DATA.scale : 1);
 // All points, most crossings, and half of the places of lines above and below points: crossings that are much farther away than the
 // points reach are left out.
 function boxOfLines(points, crossings, feet) {
@@ -147,18 +147,29 @@ function boxOfNow() {
   place(now);
   return boxOfLines(box, crossings, feet);
 }
-// That of the whole run if it is not much larger than what is there now, else one that slides with the points; with lines those of
-// the last log record and their crossings, too; with pairs what the structure draws around them.
+// So that a box around one place has a size.
+function growToSize(box) {
+  if (sizeOfBox(box) !== 0) return;
+  for (const axis of DRAWN) {
+    const half = lengthAbout(box[2 * axis]) / 2;
+    box[2 * axis] -= half;
+    box[2 * axis + 1] += half;
+  }
+}
+// That of the whole run if it is not much larger than what is there now, or if that is in one place; else one that slides with the
+// points; with lines those of the last log record and their crossings, too; with pairs what the structure draws around them.
 function boxToShow(marked, index, replay) {
   const now = boxOfNow(), lines = IS_LINE.includes(1);
   const larger = lines ? Math.max(...DRAWN.map(axis => lengthOf(WHOLE_RUN, axis) / lengthOf(now, axis))) / 10
                        : sizeOfBox(WHOLE_RUN) / (1.8 * sizeOfBox(now));
-  const isWhole = larger <= 1 || !(now[0] <= now[1]), box = isWhole ? [...WHOLE_RUN] : now;
+  const isPlace = !(sizeOfBox(now) > 1e-9 * sizeOfBox(WHOLE_RUN));
+  const isWhole = larger <= 1 || isPlace, box = isWhole ? [...WHOLE_RUN] : now;
   const { role } = DATA.structures[index];
   if (AROUND_PAIRS[role] !== undefined && !replay.lost) {
     if (isWhole) [0, 1].forEach(end => joinTo(box, DRAWN.map(axis => boxOfPairs(index)[2 * axis + end])));
     else growByPair(box, role, replay.row, placedAt);
   }
+  growToSize(box);
   if (!lines) return box;
   const shown = marked.filter(object => alive[object] && IS_LINE[object]);
   growByLines(box, linesThere(), 2);

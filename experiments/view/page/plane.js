@@ -199,9 +199,9 @@ class Plane {
 
   // The rings of an attribute that is drawn as a figure, again on top of lines.
   drawDots(context) {
-    const { replay } = this.app, outlineOf = OUTLINES[DATA.structures[this.app.shown()].role];
-    if (outlineOf === undefined || replay.lost || !IS_LINE.includes(1)) return;
-    const dots = outlineOf(this, replay.row).filter(shape => shape.dot);
+    const { replay } = this.app, { role } = DATA.structures[this.app.shown()];
+    if (OUTLINES[role] === undefined || replay.lost || !IS_LINE.includes(1)) return;
+    const dots = outlineNow(this, role, replay.row).filter(shape => shape.dot);
     drawShapes(context, dots, COLOUR.first, { width: 2 });
   }
 
@@ -215,11 +215,11 @@ class Plane {
       }
       return;
     }
-    const outlineOf = OUTLINES[structure.role];
-    if (outlineOf !== undefined) {
-      if (!replay.lost) drawOutline(context, outlineOf(this, replay.row), COLOUR.first, []);
+    const { role } = structure;
+    if (OUTLINES[role] !== undefined) {
+      if (!replay.lost) drawOutline(context, outlineNow(this, role, replay.row), COLOUR.first, []);
       if (other !== null && !other.lost && other.row.join() !== replay.row.join()) {
-        drawOutline(context, outlineOf(this, other.row), COLOUR.second, [6, 4]);
+        drawOutline(context, outlineNow(this, role, other.row), COLOUR.second, [6, 4]);
       }
       return;
     }

@@ -98,6 +98,12 @@ function boxAlong(plane, ids, measure) {
       ([i, j]) => plane.onScreen(s[i] * ux + t[j] * vx, s[i] * uy + t[j] * vy));
 }
 
+// The figure of an attribute with these ids, of a role that has one. An object may have left that a later log record of this instant takes
+// out of the attribute: then a figure that is one as a whole is not drawn, of others the parts without it are.
+const IN_PARTS = ["crossings", "next_lines", "walls"];
+function outlineNow(plane, role, ids) {
+  return IN_PARTS.includes(role) || ids.every(id => alive[id]) ? OUTLINES[role](plane, ids) : [];
+}
 // The figures of attributes by the role of the structure: the corners of a box or a rectangle; else shapes (figures.js).
 const OUTLINES = {
   // The least and the largest on each axis. In space all edges, in one line that passes some twice.
@@ -208,7 +214,7 @@ const OUTLINES = {
     const n = Math.floor(Math.sqrt(ids.length)), shapes = [];
     ids.slice(0, n).sort((a, b) => a - b).forEach((line, i) => {
       const row = ids.slice((i + 1) * n, (i + 2) * n);
-      row.slice(row.indexOf(line) + 1).filter(other => other > line).forEach(other => {
+      row.slice(row.indexOf(line) + 1).filter(other => other > line && alive[line] && alive[other]).forEach(other => {
         const x = (X[1][other] - X[1][line]) / (X[0][line] - X[0][other]);
         if (isFinite(x)) shapes.push({ dot: plane.onScreen(x, X[0][line] * x + X[1][line]) });
       });
@@ -227,6 +233,7 @@ const OUTLINES = {
     const shapes = [], [, top, , height] = plane.rectangle;
     for (let i = 0; i + 3 < ids.length; i += 4) {
       const [l, m] = [ids[i], ids[i + 1]];
+      if (!ids.slice(i, i + 4).every(id => alive[id])) continue;
       const x = (X[1][m] - X[1][l]) / (X[0][l] - X[0][m]);
       if (!isFinite(x)) continue;
       const dot = plane.onScreen(x, X[0][l] * x + X[1][l]);
