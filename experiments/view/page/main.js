@@ -118,7 +118,7 @@ class App {
   kOther() {
     if (OTHER === null) return 0;
     const last = OTHER.before + OTHER.u.length;
-    if (PARTED === 0 || this.k < PARTED) return Math.min(this.k, last);
+    if (!this.haveParted()) return Math.min(this.k, last);
     return Math.max(Math.min(PARTED - 1, last), eventsUntil(OTHER, this.u));
   }
   // The time axis of the window and of the drawing over time.
@@ -132,6 +132,10 @@ class App {
     const to = from + this.span;
     return { left, right, from, to,
              x: u => left + (u - from) / this.span * (right - left),
+  // The runs have parted: at a log record of the first one; or it has none left, and at the time of the second one's.
+  haveParted() {
+    return PARTED !== 0 && (this.k >= PARTED || (PARTED > LAST && this.k === LAST && this.u >= this.partedAt));
+  }
              u: x => from + (x - left) / (right - left) * this.span };
   }
 
@@ -196,6 +200,14 @@ class App {
   // The groups of the proof have places in a tree.
   hasTree(index) {
     const own = this.runProofs[index], reads = own.data.reads;
+  // To where the runs part.
+  goToDivergence() {
+    if (PARTED <= BEFORE) return;
+    if (PARTED <= LAST) this.setEvent(PARTED); else this.setTime(this.partedAt);
+  }
+  goToQuery() {
+    if (FIRST.queries.length > 0) this.setTime(nextQuery(this).u);
+  }
     const proof = own.isEmpty && reads !== null ? this.runProofs[reads] : own;
     return proof.data.groups.some(group => group[4] !== null);
   }

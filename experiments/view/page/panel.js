@@ -99,19 +99,16 @@ class Panel {
       this.event.append(make("h2", BEFORE === 0 ? "Before the first log record"
                                                 : "Before log record " + (BEFORE + 1)));
       this.event.append(make("p", "t = " + DATA.time.start[0]));
-      this.drawLost();
-      return;
+    } else {
+      this.event.append(make("h2", "Log record " + k + " of " + LAST));
+      this.event.append(this.describe(FIRST, k));
+      this.drawRoot(k);
     }
-    this.event.append(make("h2", "Log record " + k + " of " + LAST));
-    this.event.append(this.describe(FIRST, k));
-    this.drawRoot(k);
     this.drawLost();
-    if (OTHER === null) return;
+    if (OTHER === null || !app.haveParted() || app.kOther() <= OTHER.before) return;
     const j = app.kOther();
-    if (PARTED !== 0 && k >= PARTED && j > OTHER.before) {
-      this.event.append(make("h2", OTHER.arithmetic + ", last log record by then: " + j, "other"));
-      this.event.append(this.describe(OTHER, j));
-    }
+    this.event.append(make("h2", OTHER.arithmetic + ", last log record by then: " + j, "other"));
+    this.event.append(this.describe(OTHER, j));
   }
 
   // The failed certificate's polynomial around its root; of exact runs.

@@ -52,7 +52,7 @@ function describePage() {
     return;
   }
   const go = make("button", "Go there (D)");
-  go.addEventListener("click", () => app.setEvent(PARTED));
+  go.addEventListener("click", () => app.goToDivergence());
   box.append(go);
 }
 
@@ -158,7 +158,7 @@ function pressed(key) {
     j: () => app.filter.go(1), k: () => app.filter.go(-1),
     "/": () => document.getElementById("search").focus(),
     ",": () => app.setSpan(1.5), ".": () => app.setSpan(1 / 1.5),
-    d: () => { if (PARTED > BEFORE) app.setEvent(PARTED); },
+    d: () => app.goToDivergence(),
     ...(app.drawing.camera ? turns(app.drawing.camera) : {}),
     q: () => { if (FIRST.queries.length > 0) app.setTime(nextQuery(app).u); },
     t: () => { if (BODIES) app.drawing.chart.turnOver(); },
