@@ -22,7 +22,7 @@ embed(kViewFrame page.html)
 embed(kViewStyle style.css)
 embed(kViewScript data.js numbers.js exact.js replay.js motion.js picture.js space.js marks.js framing.js plane.js queries.js diagram.js window.js
   panel.js proof.js figures.js walls.js axis.js tree.js bodies.js pairs.js chart.js arena.js lanes.js certificates.js
-  pair_panel.js kinds.js root_picture.js filter.js main.js export.js start.js)
+  pair_panel.js kinds.js root_picture.js filter.js main.js address.js export.js pointers.js start.js)
 embed(kViewUnpack unpack.js)
 file(APPEND ${OUTPUT}.new "}  // namespace kinex::view\n")
 file(RENAME ${OUTPUT}.new ${OUTPUT})

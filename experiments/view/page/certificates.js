@@ -10,6 +10,9 @@ class Certificates {
       const row = click.target.closest(".row");
       if (row) app.select(+row.dataset.certificate);
     });
+    this.box.addEventListener("keydown", key => onArrows(key, {
+      ArrowUp: () => this.choose(this.chosen() - 1), ArrowDown: () => this.choose(this.chosen() + 1),
+      Home: () => this.choose(0), End: () => this.choose(this.order.length - 1) }));
     this.known = null;
     this.listed = null;  // the proof whose certificates `order` has
     this.order = [];
@@ -35,6 +38,16 @@ class Certificates {
     return all.sort((a, b) => (times[a] === times[b] ? a - b : times[a] - times[b]));
   }
 
+  // The place of the selected certificate in the list, or -1.
+  chosen() { return this.app.selected === null ? -1 : this.order.indexOf(this.app.selected); }
+  // Selects the certificate at a place, or at the end that is nearest to it.
+  choose(place) {
+    if (this.order.length === 0) return;
+    const row = Math.max(0, Math.min(this.order.length - 1, place));
+    this.app.select(this.order[row]);
+    bringIntoSight(this.box, row);
+  }
+
   // In short when it fails: a number of a log record, or a time, or "-".
   when(c) {
     const { proof } = this.app, k = proof.failsAt(c), time = proof.failureTime(c);
@@ -55,6 +68,7 @@ class Certificates {
       const claim = app.proof.certificate(c);
       const row = make("div", undefined, "row" + (c === app.selected ? " now" : ""));
       row.dataset.certificate = c;
+      row.id = "certificate-" + c;
       row.setAttribute("role", "option");
       row.setAttribute("aria-selected", c === app.selected);
       row.style.top = (first + i) * ROW + "px";
@@ -64,6 +78,7 @@ class Certificates {
       row.title = claim.text + ": " + app.proof.failureText(c);
       return row;
     }));
+    this.box.setAttribute("aria-activedescendant", app.selected === null ? "" : "certificate-" + app.selected);
   }
 }
 

@@ -100,12 +100,12 @@ class Lanes extends TimeWindow {
   laneAt(y) {
     return Math.max(0, Math.min(DATA.structures.length - 1, Math.floor((y - MARK) / this.height)));
   }
-  // The log record of the lane whose bar is nearest to x, or null if none is near.
+  // The log record of the lane whose bar is nearest to x; on an axis of time null if none is near.
   eventAt(x, y) {
     const { records } = this.counts[0][this.laneAt(y)];
     const place = this.axis.place(x);
     const near = placeUntil(records, this.axis.records ? Math.floor(place) : eventsUntil(FIRST, place));
-    let best = null, distance = 7;
+    let best = null, distance = this.axis.records ? Infinity : 7;
     for (const k of [records[near], records[near + 1]]) {
       if (k === undefined) continue;
       const d = Math.abs(this.axis.x(this.axis.placeOf(FIRST, k)) - x);

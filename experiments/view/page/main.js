@@ -1,6 +1,8 @@
 // What is shown: the state after event k at time u, in units of the shown span. Stepping goes from
 // event to event; playing and the time axes go through time, and k follows.
 const WHOLE = 1.04;  // the length of a time window that shows the whole run, with a margin at both ends
+const SLOWEST = 1e-9, FASTEST = 8;  // of playing: units of the shown span a second
+const LONGEST_FRAME = 250;  // milliseconds of playing in one step, for example where the page was hidden
 class App {
   constructor() {
     this.k = BEFORE;
@@ -8,6 +10,7 @@ class App {
     this.index = 0;            // of the structure that is shown
     this.hovered = null;
     this.playing = false;
+    this.plays = 0;            // how often that began or ended
     this.replays = DATA.structures.map((_, i) => new Replay(FIRST, i));
     this.others = OTHER === null ? null : DATA.structures.map((_, i) => new Replay(OTHER, i));
     const events = LAST - BEFORE, share = 30 / Math.max(1, events);
@@ -19,7 +22,7 @@ class App {
     }
     this.picture = new Picture("picture");
     this.selected = null;      // a certificate of the proof that is shown
-    this.askedFor = null;      // a number without a log record: { text, k: what is shown in its place }
+    this.told = null;          // what was asked for and is not there: { text, state: what is shown in its place }
     this.chosenGroup = null;   // a group without certificates
     this.byRecord = false;     // the window's axis is numbers of log records
     this.records = 16;         // as many of them
@@ -78,6 +81,8 @@ class App {
   showsAll() {
     return this.all === null ? this.mode === "plane" && this.proof.live.size <= 60 : this.all;
   }
+  // The certificate that fails next, [certificate, event], or null.
+  nextFailure() { return this.proof === null || this.replay.lost ? null : this.proof.next(this.k); }
   // The group of the certificate that is selected, or the one that was chosen itself.
   selectedGroup() {
     const { proof } = this;
@@ -91,6 +96,19 @@ class App {
     this.selected = c;
     if (c !== null) this.chosenGroup = null;
     this.panel.shownEvent = null;
+    this.changed();
+  }
+  selectNext() {
+    const next = this.nextFailure();
+    if (next !== null) this.select(next[0]);
+  }
+  turnAll() {
+    if (BODIES || this.proof === null) return;
+    this.all = !this.showsAll();
+    this.changed();
+  }
+  zoom(factor) {
+    this.drawing.scaleAbout(factor, this.picture.width / 2, this.picture.height / 2, this.picture);
     this.changed();
   }
   // The claim that failed at the event.
@@ -114,6 +132,10 @@ class App {
     const certificate = this.k === BEFORE ? 0 : FIRST.certificates[at(FIRST, this.k)];
     return certificate === 0 ? "" : FIRST.predicates[certificate[0]];
   }
+  // The runs have parted: at a log record of the first one; or it has none left, and at the time of the second one's.
+  haveParted() {
+    return PARTED !== 0 && (this.k >= PARTED || (PARTED > LAST && this.k === LAST && this.u >= this.partedAt));
+  }
   // Before the runs part the second one has the same events; from there on it goes by time.
   kOther() {
     if (OTHER === null) return 0;
@@ -132,10 +154,6 @@ class App {
     const to = from + this.span;
     return { left, right, from, to,
              x: u => left + (u - from) / this.span * (right - left),
-  // The runs have parted: at a log record of the first one; or it has none left, and at the time of the second one's.
-  haveParted() {
-    return PARTED !== 0 && (this.k >= PARTED || (PARTED > LAST && this.k === LAST && this.u >= this.partedAt));
-  }
              u: x => from + (x - left) / (right - left) * this.span };
   }
 
@@ -167,17 +185,28 @@ class App {
     this.u = timeOf(FIRST, this.k);
     this.changed();
   }
-  // What was asked for by number, from outside. The page says so if there is no such one.
+  // What was asked for by number, from outside; returns what is to be told if there is no such one.
   goTo(text) {
     const k = /^\s*\d+\s*$/.test(text) ? +text : NaN;
     if (!Number.isNaN(k)) this.setEvent(k);
-    this.askedFor = k >= BEFORE && k <= LAST ? null : { text, k: this.k };
+    return k >= BEFORE && k <= LAST ? [] : [noRecord(text, this.k)];
+  }
+  tell(faults) {
+    this.told = faults.length === 0 ? null : { text: faults.join(" "), state: this.state() };
     this.changed();
   }
   setTime(u) {
     this.u = Math.max(0, Math.min(1, u));
     this.k = eventsUntil(FIRST, this.u);
     this.changed();
+  }
+  // To where the runs part.
+  goToDivergence() {
+    if (PARTED <= BEFORE) return;
+    if (PARTED <= LAST) this.setEvent(PARTED); else this.setTime(this.partedAt);
+  }
+  goToQuery() {
+    if (FIRST.queries.length > 0) this.setTime(nextQuery(this).u);
   }
   nextExternal(step) {
     let k = this.k + step;
@@ -187,6 +216,7 @@ class App {
   }
   setStructure(index) {
     this.index = index;
+    document.getElementById("structure").value = index;
     this.selected = this.chosenGroup = null;
     const line = DATA.structures[index].key !== null;
     const can = { plane: AXES > 1 || BODIES, time: line && !BODIES, axis: line && !BODIES,
@@ -200,14 +230,6 @@ class App {
   // The groups of the proof have places in a tree.
   hasTree(index) {
     const own = this.runProofs[index], reads = own.data.reads;
-  // To where the runs part.
-  goToDivergence() {
-    if (PARTED <= BEFORE) return;
-    if (PARTED <= LAST) this.setEvent(PARTED); else this.setTime(this.partedAt);
-  }
-  goToQuery() {
-    if (FIRST.queries.length > 0) this.setTime(nextQuery(this).u);
-  }
     const proof = own.isEmpty && reads !== null ? this.runProofs[reads] : own;
     return proof.data.groups.some(group => group[4] !== null);
   }
@@ -223,18 +245,19 @@ class App {
     const button = document.getElementById("play");
     button.textContent = on ? "Pause" : "\u25b6 Play";
     button.setAttribute("aria-label", on ? "Pause" : "Play");
+    const own = ++this.plays;
     if (!on) return this.changed();
     let last = performance.now();
     const frame = now => {
-      if (!this.playing) return;
-      this.setTime(this.u + (now - last) / 1000 * this.rate);
+      if (own !== this.plays) return;
+      this.setTime(this.u + Math.max(0, Math.min(LONGEST_FRAME, now - last)) / 1000 * this.rate);
       last = now;
       if (this.u >= 1) this.play(false); else requestAnimationFrame(frame);
     };
     requestAnimationFrame(frame);
   }
   setRate(factor) {
-    this.rate *= factor;
+    this.rate = Math.max(SLOWEST, Math.min(FASTEST, this.rate * factor));
     this.drawControls();
   }
   setSpan(factor) {
@@ -277,23 +300,16 @@ class App {
     this.certificates.draw();
     this.drawControls();
     this.drawLegend();
-    if (!this.playing) {
-      const which = this.index === firstAskedFor() ? "" : "&structure=" +
-        encodeURIComponent(DATA.structures[this.index].label);
-      history.replaceState(null, "", "#event=" + this.k + which + this.turnedText());
-    }
-  }
-  // For the address: how a picture of space is turned.
-  turnedText() {
-    const { camera } = this.plane || {};
-    return !camera || camera.isAtStart() ? "" : "&view=" + [camera.yaw, camera.pitch].map(x => +x.toFixed(1));
+    if (!this.playing) history.replaceState(null, "", addressOf(this));
   }
   drawControls() {
     const set = (id, value) => {
       const input = document.getElementById(id);
       if (document.activeElement !== input || id === "scrub") input.value = value;
     };
-    this.drawAskedFor();
+    this.drawTold();
+    document.getElementById("next-failure").disabled = this.nextFailure() === null;
+    document.getElementById("all-certificates").setAttribute("aria-pressed", !BODIES && this.proof !== null && this.showsAll());
     set("scrub", this.k);
     set("number", this.k);
     document.getElementById("scrub").setAttribute("aria-valuetext", "log record " + this.k);
@@ -301,15 +317,11 @@ class App {
     document.getElementById("speed").textContent = shortNumber(+rate.toPrecision(2)) + " t/s";
   }
   // While what came of it is shown.
-  drawAskedFor() {
-    const line = document.getElementById("asked"), { askedFor } = this;
-    line.hidden = askedFor === null || askedFor.k !== this.k;
-    if (line.hidden) return;
-    const there = BEFORE > 0 ? "this page has those from " + (BEFORE + 1) + " to " + LAST
-      : (FIRST.stopped ? "this page has " : "the run has ") + counted(LAST, "log record");
-    const shown = this.k === BEFORE ? "what is before the first" : "log record " + this.k;
-    line.textContent = "There is no log record " + shortText(askedFor.text) + ": " + there + ". Shown is " + shown +
-      "; write #event= and a number from " + BEFORE + " to " + LAST + ".";
+  drawTold() {
+    const line = document.getElementById("asked");
+    if (this.told !== null && this.told.state !== this.state()) this.told = null;
+    line.hidden = this.told === null;
+    if (!line.hidden) line.textContent = this.told.text;
   }
   drawLegend() {
     const structure = DATA.structures[this.index];
@@ -351,12 +363,6 @@ class App {
     }
     this.picture.canvas.setAttribute("aria-label", structure.label + " after log record " + this.k);
   }
-}
-
-// The first structure that the scene asks for; those that it reads are parts of it, and are listed before it.
-function firstAskedFor() {
-  const isPart = label => DATA.structures.some(other => label.startsWith(other.label + "."));
-  return Math.max(0, DATA.structures.findIndex(structure => !isPart(structure.label)));
 }
 
 // What is displayed, for tests and scripts: the attribute of every structure after the event.

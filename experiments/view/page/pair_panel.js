@@ -48,10 +48,13 @@ class PairPanel extends Panel {
     proofs.claims(pair).forEach((claim, slot) => {
       const item = make("li", undefined, (slot === failing ? "fails" : "") +
                                          (claim.number === app.selected ? " chosen" : ""));
-      item.append(make("b", claim.role), " " + claimName(claim, pairOf(pair)));
-      item.title = claim.text;
-      item.addEventListener("click", () =>
+      const button = make("button");
+      button.append(make("b", claim.role), " " + claimName(claim, pairOf(pair)));
+      button.setAttribute("aria-pressed", claim.number === app.selected);
+      button.addEventListener("click", () =>
         app.select(app.selected === claim.number ? null : claim.number));
+      item.append(button);
+      item.title = claim.text;
       list.append(item);
     });
     this.proof.append(list);

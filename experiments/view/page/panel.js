@@ -41,6 +41,18 @@ function changedRows(after, [removed, added, place], length) {
   });
   return [part(old, now), part(now, old)];
 }
+// Keys for a list that has the focus.
+function onArrows(key, actions) {
+  const action = actions[key.key];
+  if (!action || key.ctrlKey || key.metaKey || key.altKey || key.shiftKey) return;
+  key.preventDefault();
+  key.stopPropagation();
+  action();
+}
+function bringIntoSight(list, row) {
+  const top = row * ROW, height = list.clientHeight;
+  if (top < list.scrollTop || top + ROW > list.scrollTop + height) list.scrollTop = Math.max(0, top - height / 2);
+}
 const negated = coefficients =>
   coefficients.map(c => (c === "0" ? c : c.startsWith("-") ? c.slice(1) : "-" + c));
 
@@ -54,6 +66,8 @@ class Panel {
     this.rows.style.height = (LAST - BEFORE + 1) * ROW + "px";
     this.root = null;  // the picture of the event's polynomial
     this.list.addEventListener("scroll", () => this.drawRows());
+    this.list.addEventListener("keydown", key => onArrows(key, {
+      ArrowUp: () => app.filter.go(-1), ArrowDown: () => app.filter.go(1) }));
     this.list.addEventListener("click", click => {
       const row = click.target.closest(".row");
       if (row) app.setEvent(+row.dataset.event);
@@ -64,10 +78,23 @@ class Panel {
   draw(follow) {
     if (this.shownEvent === this.app.state()) return;
     this.shownEvent = this.app.state();
-    this.drawEvent();
-    this.drawProof();
+    this.keepingFocus(() => {
+      this.drawEvent();
+      this.drawProof();
+    });
     if (follow) this.scroll();
     this.drawRows();
+  }
+
+  // A button that has the focus is made again in its place.
+  keepingFocus(draw) {
+    const buttons = () => [this.event, this.proof].map(part => [...part.querySelectorAll("button")]);
+    const places = buttons().map(list => list.indexOf(document.activeElement));
+    draw();
+    buttons().forEach((list, part) => {
+      const button = list[places[part]];
+      if (button !== undefined) button.focus({ preventScroll: true });
+    });
   }
 
   // The certificate that is selected, or else the one that fails next.
@@ -251,12 +278,13 @@ class Panel {
     const entries = (certificates, sign, name) => certificates.slice(0, 6).forEach(c => {
       const claim = proof.certificate(c);
       const ids = listOf(claim.ids.filter(id => id < OBJECTS));
-      const item = make("li", sign + " " + ids + ": " + claim.role, name);
+      const item = make("li", undefined, name), button = make("button", sign + " " + ids + ": " + claim.role);
       item.title = claim.role + ": " + claim.text;
-      item.addEventListener("click", () => {
+      button.addEventListener("click", () => {
         if (proof !== this.app.proof) this.app.setStructure(proof.index);
         this.app.select(c);
       });
+      item.append(button);
       list.append(item);
     });
     entries(gone, "\u2212", "go");
@@ -266,10 +294,7 @@ class Panel {
   }
 
   scroll() {
-    const top = this.app.filter.rowOf(this.app.k) * ROW, height = this.list.clientHeight;
-    if (top < this.list.scrollTop || top + ROW > this.list.scrollTop + height) {
-      this.list.scrollTop = Math.max(0, top - height / 2);
-    }
+    bringIntoSight(this.list, this.app.filter.rowOf(this.app.k));
   }
 
   // Another choice of log records is shown.
@@ -294,6 +319,7 @@ class Panel {
       rows.push(row);
     }
     this.rows.replaceChildren(...rows);
+    this.list.setAttribute("aria-activedescendant", "record-" + this.app.k);
   }
 
   row(k) {
@@ -301,6 +327,7 @@ class Panel {
     let name = "row" + (now ? " now" : "");
     const row = make("div");
     row.dataset.event = k;
+    row.id = "record-" + k;
     row.setAttribute("role", "option");
     row.setAttribute("aria-selected", now);
     if (k === BEFORE) {

@@ -1,4 +1,4 @@
-// Controls, keys, pointers, and the first picture.
+// Controls, keys, and the first picture.
 readColours();
 const app = new App();
 window.kinexState = kinexState;
@@ -29,6 +29,8 @@ function describePage() {
     select.append(option);
   });
   if (BODIES) describePairs();
+  document.getElementById("all-certificates").hidden = BODIES;
+  document.getElementById("next-query").hidden = FIRST.queries.length === 0;
   for (const id of ["scrub", "number"]) {
     const input = document.getElementById(id);
     input.min = BEFORE;
@@ -87,9 +89,14 @@ function listen() {
   onClick("slower", () => app.setRate(0.5));
   onClick("faster", () => app.setRate(2));
   onClick("fit", () => { app.drawing.fit(); app.changed(); });
+  onClick("zoom-in", () => app.zoom(1.25));
+  onClick("zoom-out", () => app.zoom(0.8));
+  onClick("next-failure", () => app.selectNext());
+  onClick("all-certificates", () => app.turnAll());
+  onClick("next-query", () => app.goToQuery());
   document.getElementById("scrub").addEventListener("input", e => app.setEvent(+e.target.value));
   document.getElementById("number").addEventListener("change", e => {
-    if (e.target.value !== "") app.goTo(String(Math.round(+e.target.value)));
+    if (e.target.value !== "") app.tell(app.goTo(String(Math.round(+e.target.value))));
   });
   document.getElementById("structure").addEventListener("change", e => {
     app.setStructure(+e.target.value);
@@ -140,37 +147,28 @@ function showList(certificates) {
 function pressed(key) {
   const field = /^(INPUT|SELECT|TEXTAREA)$/.test(key.target.tagName) && key.target.id !== "scrub";
   if (field || key.ctrlKey || key.metaKey || key.altKey) return;
-  if (key.key === " " && key.target.tagName === "BUTTON") return;  // presses the button
-  const picture = app.picture;
-  const zoom = factor => {
-    app.drawing.scaleAbout(factor, picture.width / 2, picture.height / 2, picture);
-    app.changed();
-  };
+  if (key.key === " " && /^(BUTTON|SUMMARY)$/.test(key.target.tagName)) return;  // presses the button
   const actions = {
     " ": () => app.play(!app.playing),
     ArrowRight: () => (key.shiftKey ? app.nextExternal(1) : app.setEvent(app.k + 1)),
     ArrowLeft: () => (key.shiftKey ? app.nextExternal(-1) : app.setEvent(app.k - 1)),
     Home: () => app.setEvent(BEFORE), End: () => app.setEvent(LAST),
     "[": () => app.setRate(0.5), "]": () => app.setRate(2),
-    "+": () => zoom(1.25), "=": () => zoom(1.25), "-": () => zoom(0.8),
+    "+": () => app.zoom(1.25), "=": () => app.zoom(1.25), "-": () => app.zoom(0.8),
     f: () => { app.drawing.fit(); app.changed(); },
     i: () => app.setAxis(!app.byRecord),
     j: () => app.filter.go(1), k: () => app.filter.go(-1),
-    "/": () => document.getElementById("search").focus(),
+    "/": () => {
+      showList(false);
+      document.getElementById("search").focus();
+    },
     ",": () => app.setSpan(1.5), ".": () => app.setSpan(1 / 1.5),
     d: () => app.goToDivergence(),
     ...(app.drawing.camera ? turns(app.drawing.camera) : {}),
-    q: () => { if (FIRST.queries.length > 0) app.setTime(nextQuery(app).u); },
+    q: () => app.goToQuery(),
     t: () => { if (BODIES) app.drawing.chart.turnOver(); },
-    c: () => {
-      if (BODIES || app.proof === null) return;
-      app.all = !app.showsAll();
-      app.changed();
-    },
-    n: () => {
-      const next = app.proof === null ? null : app.proof.next(app.k);
-      if (next !== null) app.select(next[0]);
-    },
+    c: () => app.turnAll(),
+    n: () => app.selectNext(),
     Escape: () => app.select(null),
   };
   const action = actions[key.key] || actions[key.key.toLowerCase()];
@@ -190,86 +188,9 @@ function turns(camera) {
   };
 }
 
-function listenToPointers() {
-  const place = (element, event) => {
-    const box = element.getBoundingClientRect();
-    return [event.clientX - box.left, event.clientY - box.top];
-  };
-  const canvas = app.picture.canvas;
-  let dragged = null, pressedAt = null;
-  canvas.addEventListener("pointerdown", e => {
-    dragged = pressedAt = place(canvas, e);
-    canvas.setPointerCapture(e.pointerId);
-  });
-  canvas.addEventListener("pointermove", e => {
-    const [x, y] = place(canvas, e);
-    if (dragged !== null) {
-      const sideways = app.drawing.move(x - dragged[0], y - dragged[1], ...dragged, e.shiftKey);
-      if (sideways) app.setTime(app.u - (x - dragged[0]) / canvas.clientWidth * app.span);
-      dragged = [x, y];
-      app.changed();
-      return;
-    }
-    const nearest = app.drawing.nearest(x, y);
-    if (nearest !== app.hovered) {
-      app.hovered = nearest;
-      app.changed();
-    }
-  });
-  for (const end of ["pointerup", "pointercancel"]) {
-    canvas.addEventListener(end, e => {
-      const [x, y] = place(canvas, e);
-      const stays = pressedAt !== null && Math.hypot(x - pressedAt[0], y - pressedAt[1]) < 3;
-      dragged = pressedAt = null;
-      if (stays && end === "pointerup" && app.drawing.certificateAt) {
-        app.chosenGroup = null;
-        app.select(app.drawing.certificateAt(x, y));
-      }
-    });
-  }
-  canvas.addEventListener("wheel", e => {
-    e.preventDefault();
-    const [x, y] = place(canvas, e);
-    app.drawing.scaleAbout(Math.exp(-e.deltaY / 500), x, y, app.picture);
-    app.changed();
-  }, { passive: false });
-  const bars = app.window.picture.canvas;
-  bars.addEventListener("click", e => {
-    const [x, y] = place(bars, e);
-    const k = app.window.eventAt(x, y);
-    if (k !== null) app.setEvent(k); else app.setTime(app.window.axis.place(x));
-  });
-  bars.addEventListener("wheel", e => {
-    e.preventDefault();
-    app.setSpan(Math.exp(e.deltaY / 500));
-  }, { passive: false });
-  const whole = app.window.overview.canvas;
-  const go = e => { if (e.buttons & 1) app.setTime(place(whole, e)[0] / whole.clientWidth); };
-  whole.addEventListener("pointerdown", go);
-  whole.addEventListener("pointermove", go);
-}
-
-// #event=K opens the page at the state after event K; &structure=LABEL chooses what is shown, &view=YAW,PITCH
-// how a picture of space is turned. The page says so if no log record has the number.
-function fromHash() {
-  const wanted = new URLSearchParams(location.hash.slice(1));
-  const structure = DATA.structures.findIndex(s => s.label === wanted.get("structure"));
-  const index = structure >= 0 ? structure : app.mode ? app.index : firstAskedFor();
-  if (!app.mode || index !== app.index) {
-    document.getElementById("structure").value = index;
-    app.setStructure(index);
-  }
-  const view = (wanted.get("view") || "").split(",").map(Number), { camera } = app.plane || {};
-  if (camera && view.length === 2 && view.every(isFinite)) {
-    camera.look(...view);
-    app.changed();
-  }
-  const k = wanted.get("event");
-  if (k === String(app.k)) app.askedFor = null; else if (k) app.goTo(k);
-}
-
 describePage();
 listen();
-listenToPointers();
+listenToPicture();
+listenToWindow();
 fromHash();
 app.draw();

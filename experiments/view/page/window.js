@@ -158,6 +158,14 @@ class TimeWindow {
     context.fillText(text, x, 7);
   }
 
+  // To the event at a place, or to its time.
+  go(x, y) {
+    const k = this.eventAt(x, y), place = this.axis.place(x);
+    if (k !== null) this.app.setEvent(k);
+    else if (this.axis.records) this.app.setEvent(Math.round(place));
+    else this.app.setTime(place);
+  }
+
   drawOverview() {
     const { app, overview } = this;
     const context = overview.begin();
@@ -182,7 +190,7 @@ class TimeWindow {
     context.fillRect(app.partedAt * width - 1, 0, 2, height);
   }
 
-  // The event whose bar is nearest to x, or null if none is near.
+  // The event whose bar is nearest to x; on an axis of time null if none is near.
   eventAt(x, y) {
     const place = this.axis.place(x);
     const k = this.axis.records ? Math.floor(place) : eventsUntil(FIRST, place);
