@@ -3,9 +3,9 @@
 
 usage: view_proofs.py PROGRAM
 The witnesses: `kinex run` (certificates created less those retracted are those that are live at the end),
-and its log (what fails next is the certificate of the log's next record). What is drawn is seen by its
-colour: a certificate that is selected leaves ink of its own in every drawing. Exit code 77 (skipped) where
-there is no Chromium.
+and its log (what fails next is the certificate of the log's next record, and is named after nearly all states
+that it follows). What is drawn is seen by its colour: a certificate that is selected leaves ink of its own in
+every drawing. Exit code 77 (skipped) where there is no Chromium.
 """
 import json
 import sys
@@ -26,6 +26,7 @@ SCENES = {
     "bodies": [["polygons-in-box", "--n", "5", "--m", "3", "--seed", "2"], ["polygon-approach", "--n", "8"]],
 }
 MOST_ON_A_PAGE = 8
+LEAST_NAMED = 0.95  # of the states after which a certificate fails
 # Selects certificates in every drawing that the page offers.
 PROBE = """
 <pre id="probe"></pre><script>
@@ -110,7 +111,8 @@ addEventListener("load", () => answer().catch(e => ({ thrown: String(e.stack) })
 
 
 def check_structure(name, label, found, events, live, made):
-    """The proof of one structure: its size, what fails next, and that its certificates are seen."""
+    """The proof of one structure: its size, what fails next, and that its certificates are seen. Returns how many certificates there were,
+    and of how many states a later record has a certificate and the page names it as what fails next."""
     if "missing" in found:
         fail(f"{name}: {label}: {found['missing'][0]} is not in {found['missing'][1]!r}")
     if found["mute"]:
@@ -121,6 +123,7 @@ def check_structure(name, label, found, events, live, made):
     reads = last["reads"] is not None
     if max(state["groups"] for state in found["states"]) == 0 and not reads and made > 0:
         fail(f"{name}: {label} shows no group")
+    failing = named = 0
     for state in found["states"]:
         if reads:
             continue
@@ -132,6 +135,8 @@ def check_structure(name, label, found, events, live, made):
         # A certificate that is made at the instant at which it fails is not there yet.
         if state["next"] is not None and state["next"] != wanted:
             fail(f"{name}: after event {state['event']} {state['next']} fails next in {label}, not {wanted}")
+        failing += wanted is not None
+        named += wanted is not None and state["next"] == wanted
     certificates = max(state["live"] for state in found["states"]) > 0 or reads
     if certificates and (not found["drawings"] or min(found["drawings"].values()) < 8):
         fail(f"{name}: {label}: a selected certificate is not seen: {found['drawings']}")
@@ -139,7 +144,7 @@ def check_structure(name, label, found, events, live, made):
         fail(f"{name}: {label}: an empty picture")
     if last["live"] > 0 and found["rows"] == 0:
         fail(f"{name}: {label}: the list of certificates is empty")
-    return sum(state["live"] for state in found["states"])
+    return sum(state["live"] for state in found["states"]), failing, named
 
 
 def pages_of(page):
@@ -164,7 +169,7 @@ def main():
     chromium = browser()
     with tempfile.TemporaryDirectory() as folder:
         page = Page(chromium, sys.argv[1], folder)
-        seen, shown = 0, set()
+        seen, failing, named, shown = 0, 0, 0, set()
         for name, generate, structures in pages_of(page):
             page.kinex("gen", *generate, "--maintain", ",".join(structures), "-o", f"{name}.json")
             events, _ = page.run(name)
@@ -179,9 +184,12 @@ def main():
             if "thrown" in answer or answer["errors"]:
                 fail(f"{name}: {answer}")
             for label in structures:
-                seen += check_structure(name, label, answer["structures"][label], events, live, created[label])
+                counts = check_structure(name, label, answer["structures"][label], events, live, created[label])
+                seen, failing, named = seen + counts[0], failing + counts[1], named + counts[2]
                 shown.add(label)
-    print(f"{len(shown)} structures, {seen} certificates on their pages, all of them as the runs had them")
+    if named < LEAST_NAMED * failing or failing < len(shown) / 2:
+        fail(f"of {failing} states after which a certificate fails, the page names it in {named}")
+    print(f"{len(shown)} structures, {seen} certificates on their pages, all of them as the runs had them; of {failing} that fail next {named} are named")
 
 
 if __name__ == "__main__":
