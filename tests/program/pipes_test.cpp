@@ -83,7 +83,7 @@ TEST_F(Pipes, GetTheLogOfARefusedRunOnce) {
 // A pipe without a reader: one signal ends the wait.
 TEST_F(Pipes, ASignalEndsTheWaitForAReader) {
   const Shell done =
-      shell("mkfifo pipe\ntimeout -k 60 2 \"$2\" run \"$3\" -q --events pipe\nexit $?\n");
+      shell("mkfifo pipe\ntimeout -k 60 4 \"$2\" run \"$3\" -q --events pipe\nexit $?\n");
   EXPECT_EQ(done.exit_code, 124) << done.err;
   EXPECT_THAT(done.err, HasSubstr("pipe: cannot be written: "));
 }
