@@ -101,15 +101,15 @@ std::vector<BoundCheck> BichromaticPairMaximumNorm::bounds(const BoundContext& c
   // A pair has four forms, and may have several of them while an instant is not over.
   const Integer lengths = std::min(
       Integer(4) * all,
-      ConeOffers::most_offers(ConeOffers::Cones::kOctants, KeptPoints::kOneOfEachColour, n));
+      ConeOffers::most_offers(ConeOffers::Cones::kOctants, KeptPoints::kOneOfEachColour, context));
   std::vector<BoundCheck> result{
-      at_most(
-          own + ".certificates",
-          "four lists, and a tournament of 12 n ceil(log2 n) offers or four lengths for each pair "
-          "of the two colours",
-          ConeOffers::most_certificates(n) +
-              (lengths.sign() > 0 ? lengths - Integer(1) : Integer(0)),
-          counted(ledger.max_live)),
+      at_most(own + ".certificates",
+              "four lists, and a tournament of 12 n ceil(log2 n) offers, twice as many if points "
+              "came or "
+              "went, or four lengths for each pair of the two colours",
+              ConeOffers::most_certificates(n) +
+                  (lengths.sign() > 0 ? lengths - Integer(1) : Integer(0)),
+              counted(ledger.max_live)),
       at_most(own + ".events",
               "each two points change their order in each list at every root, and where pieces "
               "meet; the epochs of the nodes of the tournament",

@@ -20,7 +20,8 @@
 // they were, O(log n) certificates each. A failure of the tournament renews O(log n).
 // Near-quadratic: at most 4d C(n, 2) exchanges without flight-plan changes. A point is in at most 8
 // order certificates. A new flight plan renews the matches of all lengths to the point. An insertion
-// or erasure makes the range trees anew, O(n log^2 n).
+// or erasure makes amortised O(log^3 n) steps in the range trees; twice as many pairs may be offered
+// then.
 //
 // Ties. Of pairs with identically equal lengths the one that is shortest right after an
 // infinitesimal turn of the plane, counter-clockwise; of those that are still level, the one that

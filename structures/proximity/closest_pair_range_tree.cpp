@@ -69,13 +69,16 @@ std::vector<BoundCheck> ClosestPairRangeTree::bounds(const BoundContext& context
   const StructureLedger& ledger = *context.ledger;
   const std::size_t n = context.objects();
   const Integer all = kinex::pairs(counted(n));
-  const Integer offers = std::min(all, ConeOffers::most_offers(cones_, kept_, n));
+  const Integer offers = std::min(all, ConeOffers::most_offers(cones_, kept_, context));
   std::vector<BoundCheck> result{
       at_most(
           "closest_pair_range_tree.certificates",
           cones_ == ConeOffers::Cones::kOctants
-              ? "four lists, and a tournament of 8 n ceil(log2 n) offers or all pairs"
-              : "four lists, and a tournament of 10 n ceil(log2 n) offers or all pairs",
+              ? "four lists, and a tournament of 8 n ceil(log2 n) offers, twice as many if points "
+                "came "
+                "or went, or all pairs"
+              : "four lists, and a tournament of 10 n ceil(log2 n) offers, twice as many if points "
+                "came or went, or all pairs",
           ConeOffers::most_certificates(n) + (offers.sign() > 0 ? offers - Integer(1) : Integer(0)),
           counted(ledger.max_live)),
       at_most("closest_pair_range_tree.events",

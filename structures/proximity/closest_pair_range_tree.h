@@ -19,8 +19,9 @@
 //
 // A failure of the tournament renews O(log n). Near-quadratic: at most 4d C(n, 2) exchanges without
 // flight-plan changes, against the nearly cubic events of a triangulation. A point is in at most 8
-// order certificates. An insertion or erasure makes the range trees anew, O(n log^2 n). Quadrants are
-// those of the paper, which keeps three candidates; in the order after a turn two suffice.
+// order certificates. An insertion or erasure makes O(log n) certificates in the lists and amortised
+// O(log^3 n) steps in the range trees; twice as many pairs may be offered then. Quadrants are those of
+// the paper, which keeps three candidates; in the order after a turn two suffice.
 //
 // Ties. Of pairs whose distances are identically equal the lexicographically smallest one.
 //

@@ -31,17 +31,18 @@ std::span<const ConeOffers::Cone> ConeOffers::cones_of(Cones cones) {
 ConeOffers::ConeOffers(Kernel& kernel, StructureId id, std::size_t objects, Cones cones,
                        KeptPoints kept, const TwoClasses* classes, Changed changed)
     : cones_(cones_of(cones)) {
+  labels_.reserve(kOctantAxes);
   for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
     lists_.emplace_back(kernel, id, octant_axis_name(static_cast<OctantAxis>(axis)),
                         TurnedOrder(kernel, octant_axis(static_cast<OctantAxis>(axis))), objects);
-    places_[axis].assign(objects, 0);
+    labels_.emplace_back(objects);
   }
   for (const Cone& cone : cones_) {
     trees_.push_back(make_cone_pairs(
         kept,
-        {PlacesAlong(places_[cone.alpha], cone.against_alpha),
-         PlacesAlong(places_[cone.beta], cone.against_beta),
-         PlacesAlong(places_[cone.projection], cone.against_projection)},
+        {PlacesAlong(labels_[cone.alpha], cone.against_alpha),
+         PlacesAlong(labels_[cone.beta], cone.against_beta),
+         PlacesAlong(labels_[cone.projection], cone.against_projection)},
         objects, classes, [changed, &cone](ObjectId looker, ObjectId seen, int change) {
           changed({looker, seen, cone.projection, cone.against_projection}, change);
         }));
@@ -52,16 +53,28 @@ ConeOffers::ConeOffers(Kernel& kernel, StructureId id, std::size_t objects, Cone
 
 void ConeOffers::make_trees() {
   for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
-    std::uint32_t place = 0;
-    for (const ObjectId object : lists_[axis].items()) places_[axis][object] = place++;
+    const std::vector<ObjectId> order = lists_[axis].items();
+    labels_[axis].assign(order, AxisLabels::bits_for(order.size()));
   }
   const std::vector<ObjectId> points = lists_[kAlongX].items();
   for (const auto& tree : trees_) tree->build(points);
 }
 
+void ConeOffers::label(ObjectId object) {
+  for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
+    const List& list = lists_[axis];
+    AxisLabels& labels = labels_[axis];
+    if (const auto moves = labels.room_between(list.previous(object), object, list.next(object))) {
+      labels.apply(*moves);
+    } else {
+      labels.assign(list.items(), AxisLabels::bits_for(list.size()) + 1);
+    }
+  }
+}
+
 // Two neighbours of a list have changed places.
 void ConeOffers::exchange(std::size_t list, ObjectId before, ObjectId after) {
-  std::swap(places_[list][before], places_[list][after]);
+  labels_[list].exchange(before, after);
   for (std::size_t i = 0; i < cones_.size(); ++i) {
     if (cones_[i].alpha == list) trees_[i]->alpha_changed(before, after);
     if (cones_[i].beta == list) trees_[i]->beta_changed(before, after);
@@ -81,14 +94,27 @@ void ConeOffers::rebuild() {
   build(objects);
 }
 
+// In an inexact arithmetic the lists may put ties in order, too.
 void ConeOffers::insert(ObjectId object) {
-  for (List& list : lists_) list.insert(object, [](Item, Item) {});
-  make_trees();
+  bool others_moved = false;
+  for (List& list : lists_) list.insert(object, [&](Item, Item) { others_moved = true; });
+  if (others_moved) return make_trees();
+  label(object);
+  for (std::size_t i = 0; i < cones_.size(); ++i) {
+    const List& list = lists_[cones_[i].alpha];
+    const bool against = cones_[i].against_alpha;
+    trees_[i]->insert(object, against ? list.next(object) : list.previous(object));
+  }
 }
 
 void ConeOffers::erase(ObjectId object) {
-  for (List& list : lists_) list.erase(object, [](Item, Item) {});
-  make_trees();
+  for (const auto& tree : trees_) tree->erase(object);
+  bool others_moved = false;
+  for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
+    lists_[axis].erase(object, [&](Item, Item) { others_moved = true; });
+    labels_[axis].erase(object);
+  }
+  if (others_moved) make_trees();
 }
 
 std::optional<ConeOffers::Exchange> ConeOffers::failed(CertificateId failed) {
@@ -136,9 +162,11 @@ void ConeOffers::visit_proof(ProofVisitor& visitor) const {
 
 Integer ConeOffers::most_certificates(std::size_t n) { return counted(n == 0 ? 0 : 4 * (n - 1)); }
 
-Integer ConeOffers::most_offers(Cones cones, KeptPoints kept, std::size_t n) {
+Integer ConeOffers::most_offers(Cones cones, KeptPoints kept, const BoundContext& context) {
+  const std::size_t n = context.objects();
   std::size_t depth = 0;
   while ((std::size_t{1} << depth) < n) ++depth;
+  if (context.dynamic) depth *= 2;  // place_tree.h
   return counted(cones_of(cones).size() * kinex::most_offers(kept) * n * depth);
 }
 
@@ -153,10 +181,8 @@ BoundCheck ConeOffers::bound_on_exchanges(std::string_view structure, const Boun
 void ConeOffers::check(AuditReport& report) const {
   for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
     lists_[axis].check(report, octant_axis_name(static_cast<OctantAxis>(axis)));
-    std::uint32_t place = 0;
-    for (const ObjectId object : lists_[axis].items()) {
-      report.check(places_[axis][object] == place++, [] { return "a place that is out of date"; });
-    }
+    report.check(labels_[axis].consistent() && labels_[axis].in_order() == lists_[axis].items(),
+                 [] { return "labels that are out of date"; });
   }
   for (const auto& tree : trees_) tree->check(report);
 }
@@ -164,7 +190,7 @@ void ConeOffers::check(AuditReport& report) const {
 std::size_t ConeOffers::bytes() const {
   std::size_t total = 0;
   for (const List& list : lists_) total += list.bytes();
-  for (const auto& places : places_) total += places.capacity() * sizeof(std::uint32_t);
+  for (const AxisLabels& labels : labels_) total += labels.bytes();
   for (const auto& tree : trees_) total += tree->bytes();
   return total;
 }

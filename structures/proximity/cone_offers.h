@@ -15,12 +15,11 @@
 // the order after an infinitesimal turn, equal points by id (turned_order.h).
 //
 // Certificates: the order of two neighbours, n - 1 a list, degree d for motions of degree d. An
-// exchange of neighbours makes O(log^2 n) steps in the range trees; an insertion or erasure makes
-// these anew, O(n log^2 n).
+// exchange of neighbours makes O(log^2 n) steps in the range trees, an insertion or erasure amortised
+// O(log^3 n).
 #ifndef KINEX_STRUCTURES_PROXIMITY_CONE_OFFERS_H
 #define KINEX_STRUCTURES_PROXIMITY_CONE_OFFERS_H
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -31,6 +30,7 @@
 #include <vector>
 
 #include "core/engine/structure.h"
+#include "structures/parts/axis_labels.h"
 #include "structures/parts/kinetic_list.h"
 #include "structures/proximity/cone_frame.h"
 #include "structures/proximity/cone_pairs.h"
@@ -59,7 +59,7 @@ class ConeOffers {
   // `classes`: for KeptPoints::kOneOfEachColour; it outlives this.
   ConeOffers(Kernel& kernel, StructureId id, std::size_t objects, Cones cones, KeptPoints kept,
              const TwoClasses* classes, Changed changed);
-  ConeOffers(const ConeOffers&) = delete;  // the range trees know its places
+  ConeOffers(const ConeOffers&) = delete;  // the range trees know its labels
   ConeOffers& operator=(const ConeOffers&) = delete;
 
   void build(std::span<const ObjectId> objects);
@@ -75,9 +75,10 @@ class ConeOffers {
 
   // At places from 2^32 on.
   void visit_proof(ProofVisitor& visitor) const;
-  // Of n points: the most certificates, and the most offers of all nodes.
+  // Of n points: the most certificates, and the most offers of all nodes, twice as many if points
+  // have come or gone.
   static Integer most_certificates(std::size_t n);
-  static Integer most_offers(Cones cones, KeptPoints kept, std::size_t n);
+  static Integer most_offers(Cones cones, KeptPoints kept, const BoundContext& context);
   // On events of the kind "order" without flight-plan changes.
   static BoundCheck bound_on_exchanges(std::string_view structure, const BoundContext& context);
   void check(AuditReport& report) const;
@@ -88,12 +89,14 @@ class ConeOffers {
   using List = KineticList<TurnedOrder>;
   static std::span<const Cone> cones_of(Cones cones);
   void make_trees();
+  // Gives a point of all lists a label in each.
+  void label(ObjectId object);
   void exchange(std::size_t list, ObjectId before, ObjectId after);
 
   std::span<const Cone> cones_;
-  std::vector<List> lists_;                                     // by OctantAxis
-  std::array<std::vector<std::uint32_t>, kOctantAxes> places_;  // of objects in the lists
-  std::vector<std::unique_ptr<ConePairs>> trees_;               // by cone
+  std::vector<List> lists_;                        // by OctantAxis
+  std::vector<AxisLabels> labels_;                 // of the lists; they stay where they are
+  std::vector<std::unique_ptr<ConePairs>> trees_;  // by cone
 };
 
 }  // namespace kinex

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "structures/proximity/place_tree.h"
+
 namespace kinex {
 namespace {
 
@@ -64,9 +66,12 @@ class Treaps final : public ConePairs {
         beta_(orders.beta),
         projection_(orders.projection),
         objects_(objects),
-        offered_(std::move(offered)) {}
+        offered_(std::move(offered)),
+        places_(objects) {}
 
   void build(std::span<const ObjectId> points) override;
+  void insert(ObjectId object, ObjectId previous) override;
+  void erase(ObjectId object) override;
   void alpha_changed(ObjectId a, ObjectId b) override;
   void beta_changed(ObjectId a, ObjectId b) override;
   void projection_changed(ObjectId a, ObjectId b) override;
@@ -97,13 +102,8 @@ class Treaps final : public ConePairs {
     Points last = nothing(), first = nothing();  // lookers and seen, of the subtree
     Offers offers;
   };
-  // A node of the tree over places, on the way to a leaf.
-  struct Step {
-    std::size_t tree;      // its number: 1 for the root, 2v and 2v + 1 for the children of v
-    std::uint32_t middle;  // the first place of its right child
-  };
+  using Step = PlaceTree::Step;
 
-  std::vector<Step> way_to(std::uint32_t place) const;
   void keep_last(Points& kept, ObjectId looker) const {
     if (looker == kNoObject) return;
     kept_.add(kept, looker, [this](ObjectId a, ObjectId b) { return projection_.before(b, a); });
@@ -123,17 +123,22 @@ class Treaps final : public ConePairs {
   void renew(Node t);
   void renew_upwards(Node t);
   void rotate_up(Node t);
-  void insert(std::size_t tree, std::size_t depth, ObjectId object, bool looks);
-  void erase(std::size_t tree, std::size_t depth, ObjectId object);
+  // Into and out of the treap of a node of the tree over places.
+  void plant(Step step, std::size_t depth, ObjectId object);
+  void uproot(PlaceTree::Node tree, std::size_t depth, ObjectId object);
+  // All treaps below such a node go; they come back with points that are inserted one by one.
+  void clear(PlaceTree::Node subtree);
+  void fill(PlaceTree::Node subtree, std::span<const ObjectId> points);
   Node& node_of(std::size_t depth, ObjectId object) { return node_of_[depth][object]; }
-  void check_subtree(Node t, Node parent, std::vector<ObjectId>& order, AuditReport& report) const;
+  void check_subtree(Node t, Node parent, const std::vector<bool>& looks,
+                     std::vector<ObjectId>& order, AuditReport& report) const;
 
   Kept kept_;
   PlacesAlong alpha_, beta_, projection_;
   std::size_t objects_;
   Offered offered_;
-  std::size_t size_ = 0;
-  std::vector<Node> root_;                  // of the treap of a tree node
+  PlaceTree places_;
+  std::vector<Node> root_;                  // of the treap of a node of places_
   std::vector<std::vector<Node>> node_of_;  // by depth and object
   std::vector<TreapNode> nodes_;
   std::vector<Node> free_;
@@ -202,7 +207,8 @@ void Treaps<Kept>::rotate_up(Node t) {
 }
 
 template <class Kept>
-void Treaps<Kept>::insert(std::size_t tree, std::size_t depth, ObjectId object, bool looks) {
+void Treaps<Kept>::plant(Step step, std::size_t depth, ObjectId object) {
+  if (depth == node_of_.size()) node_of_.emplace_back(objects_, kNone);
   Node t;
   if (free_.empty()) {
     t = static_cast<Node>(nodes_.size());
@@ -213,12 +219,12 @@ void Treaps<Kept>::insert(std::size_t tree, std::size_t depth, ObjectId object, 
   }
   TreapNode& node = nodes_[t];
   node.object = object;
-  node.looks = looks;
-  node.priority = mixed(tree * objects_ + object);
+  node.looks = !step.right;
+  node.priority = mixed(places_.number(step.node) * objects_ + object);
   node_of(depth, object) = t;
   Node above = kNone;
   std::size_t side = 0;
-  for (Node s = root_[tree]; s != kNone; s = nodes_[s].child[side]) {
+  for (Node s = root_[step.node]; s != kNone; s = nodes_[s].child[side]) {
     above = s;
     side = beta_.before(nodes_[s].object, object) ? 1 : 0;
   }
@@ -229,12 +235,12 @@ void Treaps<Kept>::insert(std::size_t tree, std::size_t depth, ObjectId object, 
     rotate_up(t);
     renew(down);
   }
-  if (nodes_[t].parent == kNone) root_[tree] = t;
+  if (nodes_[t].parent == kNone) root_[step.node] = t;
   renew_upwards(t);
 }
 
 template <class Kept>
-void Treaps<Kept>::erase(std::size_t tree, std::size_t depth, ObjectId object) {
+void Treaps<Kept>::uproot(PlaceTree::Node tree, std::size_t depth, ObjectId object) {
   const Node t = node_of(depth, object);
   node_of(depth, object) = kNone;
   for (;;) {  // downwards, until it is a leaf
@@ -261,39 +267,71 @@ void Treaps<Kept>::erase(std::size_t tree, std::size_t depth, ObjectId object) {
 
 // ---- the tree over places
 
-// The inner nodes above a leaf, from the root.
 template <class Kept>
-std::vector<typename Treaps<Kept>::Step> Treaps<Kept>::way_to(std::uint32_t place) const {
-  std::vector<Step> way;
-  std::size_t tree = 1;
-  std::uint32_t begin = 0, end = static_cast<std::uint32_t>(size_);
-  while (end - begin > 1) {
-    const std::uint32_t middle = begin + (end - begin) / 2;
-    way.push_back({tree, middle});
-    const bool right = place >= middle;
-    (right ? begin : end) = middle;
-    tree = 2 * tree + (right ? 1 : 0);
+void Treaps<Kept>::clear(PlaceTree::Node subtree) {
+  for (const PlaceTree::Node tree : places_.inner_nodes(subtree)) {
+    const std::size_t depth = places_.depth(tree);
+    std::vector<Node> left;
+    const auto later = [&](Node t) {
+      if (t != kNone) left.push_back(t);
+    };
+    later(std::exchange(root_[tree], kNone));
+    while (!left.empty()) {
+      const Node t = left.back();
+      left.pop_back();
+      for (const Node child : nodes_[t].child) later(child);
+      node_of(depth, nodes_[t].object) = kNone;
+      set_offers(nodes_[t], {});
+      nodes_[t] = TreapNode{};
+      free_.push_back(t);
+    }
   }
-  return way;
+}
+
+template <class Kept>
+void Treaps<Kept>::fill(PlaceTree::Node subtree, std::span<const ObjectId> points) {
+  if (root_.size() < places_.capacity()) root_.resize(places_.capacity(), kNone);
+  const std::size_t top = places_.depth(subtree);
+  for (const ObjectId object : points) {
+    const std::vector<Step> way = places_.way_to(object);
+    for (std::size_t depth = top; depth < way.size(); ++depth) plant(way[depth], depth, object);
+  }
 }
 
 template <class Kept>
 void Treaps<Kept>::build(std::span<const ObjectId> points) {
-  for (TreapNode& node : nodes_) set_offers(node, {});
+  if (places_.root() != kNone) clear(places_.root());
+  std::vector<ObjectId> order(points.begin(), points.end());
+  std::sort(order.begin(), order.end(),
+            [this](ObjectId a, ObjectId b) { return alpha_.before(a, b); });
+  places_.build(order);
   nodes_.clear();
   free_.clear();
-  size_ = points.size();
-  std::size_t depth = 0;
-  while ((std::size_t{1} << depth) < size_) ++depth;
-  root_.assign(std::size_t{2} << depth, kNone);
-  node_of_.assign(depth, std::vector<Node>(objects_, kNone));
-  for (const ObjectId object : points) {
-    const std::uint32_t place = alpha_.place(object, size_);
-    std::size_t level = 0;
-    for (const Step& step : way_to(place)) {
-      insert(step.tree, level++, object, place < step.middle);
-    }
-  }
+  root_.clear();
+  if (!order.empty()) fill(places_.root(), points);
+}
+
+template <class Kept>
+void Treaps<Kept>::insert(ObjectId object, ObjectId previous) {
+  const PlaceTree::Node subtree = places_.subtree_to_insert(previous);
+  if (subtree != kNone) clear(subtree);
+  places_.insert(object, previous, subtree);
+  if (subtree == kNone) return fill(places_.root(), {});
+  fill(subtree, places_.objects(subtree));
+  const std::vector<Step> way = places_.way_to(object);
+  const std::size_t above = places_.depth(subtree);
+  for (std::size_t depth = 0; depth < above; ++depth) plant(way[depth], depth, object);
+}
+
+template <class Kept>
+void Treaps<Kept>::erase(ObjectId object) {
+  const PlaceTree::Node subtree = places_.subtree_to_erase(object);
+  clear(subtree);
+  const std::vector<Step> way = places_.way_to(object);
+  const std::size_t above = places_.depth(subtree);
+  for (std::size_t depth = 0; depth < above; ++depth) uproot(way[depth].node, depth, object);
+  places_.erase(object, subtree);
+  if (places_.size() > 0) fill(subtree, places_.objects(subtree));
 }
 
 // ---- two neighbours that have changed places
@@ -302,21 +340,19 @@ void Treaps<Kept>::build(std::span<const ObjectId> points) {
 template <class Kept>
 void Treaps<Kept>::alpha_changed(ObjectId a, ObjectId b) {
   if (alpha_.before(b, a)) std::swap(a, b);  // a is in front now
-  const std::uint32_t front = alpha_.place(a, size_);
-  const std::vector<Step> left = way_to(front), right = way_to(front + 1);
+  const std::vector<Step> left = places_.way_to(b), right = places_.way_to(a);
   std::size_t parting = 0;
-  while (left[parting].middle != front + 1) ++parting;
-  for (std::size_t level = parting + 1; level < left.size(); ++level) {
-    erase(left[level].tree, level, b);
+  while (left[parting].right == right[parting].right) ++parting;
+  for (std::size_t depth = parting + 1; depth < left.size(); ++depth) {
+    uproot(left[depth].node, depth, b);
   }
-  for (std::size_t level = parting + 1; level < right.size(); ++level) {
-    erase(right[level].tree, level, a);
+  for (std::size_t depth = parting + 1; depth < right.size(); ++depth) {
+    uproot(right[depth].node, depth, a);
   }
-  for (std::size_t level = parting + 1; level < left.size(); ++level) {
-    insert(left[level].tree, level, a, front < left[level].middle);
-  }
-  for (std::size_t level = parting + 1; level < right.size(); ++level) {
-    insert(right[level].tree, level, b, front + 1 < right[level].middle);
+  places_.exchange(a, b);
+  for (std::size_t depth = parting + 1; depth < left.size(); ++depth) plant(left[depth], depth, a);
+  for (std::size_t depth = parting + 1; depth < right.size(); ++depth) {
+    plant(right[depth], depth, b);
   }
   nodes_[node_of(parting, a)].looks = true;
   nodes_[node_of(parting, b)].looks = false;
@@ -327,14 +363,13 @@ void Treaps<Kept>::alpha_changed(ObjectId a, ObjectId b) {
 // In every treap that has both they are neighbours: they change nodes.
 template <class Kept>
 void Treaps<Kept>::beta_changed(ObjectId a, ObjectId b) {
-  const std::vector<Step> one = way_to(alpha_.place(a, size_));
-  const std::vector<Step> other = way_to(alpha_.place(b, size_));
-  for (std::size_t level = 0; level < std::min(one.size(), other.size()); ++level) {
-    if (one[level].tree != other[level].tree) return;
-    const Node s = node_of(level, a), t = node_of(level, b);
+  const std::vector<Step> one = places_.way_to(a), other = places_.way_to(b);
+  for (std::size_t depth = 0; depth < std::min(one.size(), other.size()); ++depth) {
+    if (one[depth].node != other[depth].node) return;
+    const Node s = node_of(depth, a), t = node_of(depth, b);
     std::swap(nodes_[s].object, nodes_[t].object);
     std::swap(nodes_[s].looks, nodes_[t].looks);
-    std::swap(node_of(level, a), node_of(level, b));
+    std::swap(node_of(depth, a), node_of(depth, b));
     renew_upwards(s);
     renew_upwards(t);
   }
@@ -342,12 +377,10 @@ void Treaps<Kept>::beta_changed(ObjectId a, ObjectId b) {
 
 template <class Kept>
 void Treaps<Kept>::projection_changed(ObjectId a, ObjectId b) {
-  const std::vector<Step> one = way_to(alpha_.place(a, size_));
-  const std::vector<Step> other = way_to(alpha_.place(b, size_));
-  for (std::size_t level = 0; level < std::min(one.size(), other.size()); ++level) {
-    if (one[level].tree != other[level].tree) return;
-    const Node s = node_of(level, a), t = node_of(level, b);
-    if (nodes_[s].looks != nodes_[t].looks) return;  // they part here
+  const std::vector<Step> one = places_.way_to(a), other = places_.way_to(b);
+  for (std::size_t depth = 0; depth < std::min(one.size(), other.size()); ++depth) {
+    const Node s = node_of(depth, a), t = node_of(depth, b);
+    if (one[depth].right != other[depth].right) return;  // they part here
     renew_upwards(s);
     renew_upwards(t);
   }
@@ -355,32 +388,23 @@ void Treaps<Kept>::projection_changed(ObjectId a, ObjectId b) {
 
 // ---- checks
 
+// looks: by object.
 template <class Kept>
-void Treaps<Kept>::check_subtree(Node t, Node parent, std::vector<ObjectId>& order,
-                                 AuditReport& report) const {
+void Treaps<Kept>::check_subtree(Node t, Node parent, const std::vector<bool>& looks,
+                                 std::vector<ObjectId>& order, AuditReport& report) const {
   if (t == kNone) return;
   const TreapNode& node = nodes_[t];
   report.check(node.parent == parent, [] { return "a broken link in a treap"; });
+  report.check(node.looks == looks[node.object], [] { return "a point in the wrong role"; });
   const std::size_t begin = order.size();
-  check_subtree(node.child[0], t, order, report);
+  check_subtree(node.child[0], t, looks, order, report);
   const std::size_t own = order.size();
   order.push_back(node.object);
-  check_subtree(node.child[1], t, order, report);
-  const auto looks = [&](ObjectId object) {
-    for (const auto& level : node_of_) {
-      if (level[object] == kNone) continue;
-      Node top = level[object];
-      while (nodes_[top].parent != kNone) top = nodes_[top].parent;
-      Node mine = t;
-      while (nodes_[mine].parent != kNone) mine = nodes_[mine].parent;
-      if (top == mine) return nodes_[level[object]].looks;
-    }
-    return false;
-  };
+  check_subtree(node.child[1], t, looks, order, report);
   Points last = nothing(), first = nothing(), before = nothing(), from_here = nothing();
   Points looker = nothing(), after = nothing();
   for (std::size_t i = begin; i < order.size(); ++i) {
-    if (looks(order[i])) {
+    if (looks[order[i]]) {
       keep_last(last, order[i]);
       if (i < own) keep_last(before, order[i]);
       if (i == own) keep_last(looker, order[i]);
@@ -400,19 +424,37 @@ void Treaps<Kept>::check_subtree(Node t, Node parent, std::vector<ObjectId>& ord
 
 template <class Kept>
 void Treaps<Kept>::check(AuditReport& report) const {
-  for (const Node root : root_) {
-    std::vector<ObjectId> order;
-    check_subtree(root, kNone, order, report);
-    for (std::size_t i = 1; i < order.size(); ++i) {
-      report.check(beta_.before(order[i - 1], order[i]), [] { return "a treap in another order"; });
+  report.check(places_.consistent(), [] { return "a tree over places that is broken"; });
+  const std::vector<ObjectId> points = places_.objects(places_.root());
+  report.check(std::is_sorted(points.begin(), points.end(),
+                              [this](ObjectId a, ObjectId b) { return alpha_.before(a, b); }),
+               [] { return "a tree over places in another order"; });
+  std::size_t nodes = 0;
+  for (const PlaceTree::Node tree : places_.inner_nodes(places_.root())) {
+    const std::size_t depth = places_.depth(tree);
+    std::vector<bool> looks(objects_);
+    std::vector<ObjectId> below = places_.objects(tree), order;
+    for (const ObjectId object : below) {
+      looks[object] = !places_.way_to(object)[depth].right;
+      const Node t = node_of_[depth][object];
+      report.check(t != kNone && nodes_[t].object == object, [] { return "a lost treap node"; });
     }
+    check_subtree(root_[tree], kNone, looks, order, report);
+    report.check(std::is_sorted(order.begin(), order.end(),
+                                [this](ObjectId a, ObjectId b) { return beta_.before(a, b); }),
+                 [] { return "a treap in another order"; });
+    nodes += order.size();
+    std::sort(below.begin(), below.end());
+    std::sort(order.begin(), order.end());
+    report.check(below == order, [] { return "a treap of other points"; });
   }
+  report.check(nodes + free_.size() == nodes_.size(), [] { return "treap nodes of no treap"; });
 }
 
 template <class Kept>
 std::size_t Treaps<Kept>::bytes() const {
-  std::size_t total = root_.capacity() * sizeof(Node) + nodes_.capacity() * sizeof(TreapNode) +
-                      free_.capacity() * sizeof(Node);
+  std::size_t total = places_.bytes() + root_.capacity() * sizeof(Node) +
+                      nodes_.capacity() * sizeof(TreapNode) + free_.capacity() * sizeof(Node);
   for (const auto& level : node_of_) total += level.capacity() * sizeof(Node);
   return total;
 }

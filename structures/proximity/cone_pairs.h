@@ -5,7 +5,7 @@
 // The cone p + K is "behind p in the orders alpha and beta", and u is its projection. A point is
 // in K of another iff it is behind in alpha and in beta.
 //
-//              z                 A static balanced tree over the places of alpha. Its inner node z
+//              z                 A balanced tree over the order alpha (place_tree.h). Its inner node z
 //            /   \               has a treap, by beta, of the points below it: those of the left
 //     lookers     seen           child are lookers, those of the right child are seen.
 //
@@ -56,8 +56,10 @@
 // blue seen at a treap node the last with the first is the shortest, and the only one: there are no
 // two level points in u (turned_order.h). So every closest pair of two colours is offered.
 //
-// Cost, for n points: n ceil(log2 n) treap nodes, with 2, 5 or 3 offers each at most. Two
-// neighbours that change places in an order: O(log^2 n) steps.
+// Cost, for n points: n ceil(log2 n) treap nodes, at most twice as many after insertions and
+// erasures, with 2, 5 or 3 offers each at most. Two neighbours that change places in an order:
+// O(log^2 n) steps. An insertion or erasure: O(log^2 n) steps in the treaps that stay, and O(m log^2 m)
+// for a new subtree of m points, amortised O(log^3 n).
 //
 // Source: after Basch, Guibas, Zhang, "Proximity problems on moving points" (1997), and Agarwal,
 // Kaplan, Sharir, "Kinetic and dynamic data structures for closest pair and all nearest neighbors"
@@ -74,25 +76,22 @@
 
 #include "core/engine/audit.h"
 #include "core/motion/scene.h"
+#include "structures/parts/axis_labels.h"
 #include "structures/parts/object_sets.h"
 
 namespace kinex {
 
-// The places of points in a list, from either end.
+// The order of points in a list, from either end.
 class PlacesAlong {
  public:
-  // `place`: by object; it outlives this.
-  PlacesAlong(const std::vector<std::uint32_t>& place, bool reversed)
-      : place_(&place), reversed_(reversed) {}
-  bool before(ObjectId a, ObjectId b) const { return ((*place_)[a] < (*place_)[b]) != reversed_; }
-  // Of n points.
-  std::uint32_t place(ObjectId a, std::size_t n) const {
-    const std::uint32_t place = (*place_)[a];
-    return reversed_ ? static_cast<std::uint32_t>(n) - 1 - place : place;
+  // `labels`: of the list; they outlive this.
+  PlacesAlong(const AxisLabels& labels, bool reversed) : labels_(&labels), reversed_(reversed) {}
+  bool before(ObjectId a, ObjectId b) const {
+    return (labels_->of(a) < labels_->of(b)) != reversed_;
   }
 
  private:
-  const std::vector<std::uint32_t>* place_;
+  const AxisLabels* labels_;
   bool reversed_;
 };
 
@@ -109,6 +108,10 @@ class ConePairs {
 
   // The points are these, in any order, at their places.
   virtual void build(std::span<const ObjectId> points) = 0;
+  // A point has come, in all orders; along alpha it is behind `previous` (kNoObject: it is the first).
+  virtual void insert(ObjectId object, ObjectId previous) = 0;
+  // A point goes; the orders need not have it any more.
+  virtual void erase(ObjectId object) = 0;
   // Two neighbours have changed places in the order.
   virtual void alpha_changed(ObjectId a, ObjectId b) = 0;
   virtual void beta_changed(ObjectId a, ObjectId b) = 0;

@@ -26,9 +26,9 @@
 #include "core/engine/kernel.h"
 #include "core/engine/structure.h"
 #include "structures/order/sorted_list.h"
+#include "structures/parts/axis_labels.h"
 #include "structures/parts/query_trace.h"
 #include "structures/parts/range_search.h"
-#include "structures/range/axis_labels.h"
 #include "structures/range/worst_case.h"
 
 namespace kinex {

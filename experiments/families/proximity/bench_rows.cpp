@@ -33,6 +33,13 @@ std::vector<lab::BenchRow> proximity_bench_rows(int scale) {
   for (const char* structure : {"closest_pair_range_tree", "bichromatic_pair_maximum_norm"}) {
     for (const int size : {200, 1000}) rows.push_back(random_row(structure, 1, n(size), 150'000));
   }
+  // Insertions and erasures.
+  for (const char* structure :
+       {"closest_pair_range_tree", "closest_pair_local", "closest_pair_delaunay", "emst_cycles"}) {
+    auto row = lab::speed_row(structure, "come-and-go", 1, n(1000));
+    row.events = 150'000;
+    rows.push_back(with_axes(2, row));
+  }
   for (const char* structure : {"octants_listed", "octants_local", "closest_pair_cones",
                                 "closest_pair_local", "closest_pair_bins",
                                 "bichromatic_pair_delaunay", "nearest_site", "voronoi_cell_2"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "structures/range/axis_labels.h"
+#include "structures/parts/axis_labels.h"
 
 #include <algorithm>
 #include <bit>

@@ -12,8 +12,8 @@
 //
 // Source: order maintenance in a packed array: Itai, Konheim, Rodeh, "A sparse table implementation
 // of priority queues" (1981).
-#ifndef KINEX_STRUCTURES_RANGE_AXIS_LABELS_H
-#define KINEX_STRUCTURES_RANGE_AXIS_LABELS_H
+#ifndef KINEX_STRUCTURES_PARTS_AXIS_LABELS_H
+#define KINEX_STRUCTURES_PARTS_AXIS_LABELS_H
 
 #include <cstddef>
 #include <cstdint>
