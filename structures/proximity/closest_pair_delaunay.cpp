@@ -12,20 +12,42 @@ ClosestPairDelaunay::ClosestPairDelaunay(Kernel& kernel, StructureId id, std::st
     : FrontPair(kernel, id, "edges", "edges by length",
                 PairDistances(kernel, edges.graph().dimension()), edges.graph().id()),
       name_(name),
-      counted_(std::move(edges)) {}
+      counted_(std::move(edges)),
+      seen_(counted_.graph()) {}
 
 void ClosestPairDelaunay::read_all() {
-  pairs_.assign(counted_.all());
+  seen_.forget();
+  read_touched();
+}
+
+void ClosestPairDelaunay::read_touched() {
+  catch_up();
   begin();
 }
 
-// All edges are read after a change that does not change single edges or contradicts the edges known.
-// A change of the closest pair is reported when the instant is over, for certificates of this
+void ClosestPairDelaunay::catch_up() {
+  const auto touched = seen_.look();
+  if (!touched) return pairs_.assign(counted_.all());
+  for (const DelaunayEdge& edge : *touched) put(edge, counted_.graph().has(edge));
+}
+
+// False if that is known already.
+bool ClosestPairDelaunay::put(const DelaunayEdge& edge, bool is_there) {
+  if (!counted_.counts(edge[0], edge[1])) return true;
+  return is_there ? pairs_.come(edge) : pairs_.go(edge);
+}
+
+// All that was touched is read after a change that does not change single edges or contradicts the edges
+// known. A change of the closest pair is reported when the instant is over, for certificates of this
 // structure may fail at the same instant.
 void ClosestPairDelaunay::follow(const std::optional<DelaunayEdgeChange>& change) {
-  const bool followed = change && (!change->gone || pairs_.go(*change->gone)) &&
-                        (!change->came || pairs_.come(*change->came));
-  if (!followed) pairs_.assign(counted_.all());
+  const bool followed = change && (!change->gone || put(*change->gone, false)) &&
+                        (!change->came || put(*change->came, true));
+  if (followed) {
+    seen_.followed(*change);
+  } else {
+    catch_up();
+  }
   pairs_.apply(tied());
   if (!is_told()) kernel_->settle_later(id_);
 }

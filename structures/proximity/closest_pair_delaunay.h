@@ -8,8 +8,10 @@
 //
 // Quality, for n points in the plane: at most 3n - 7 certificates of its own (in space one fewer
 // than pairs), not local; a flip or a failure renews O(log n). What changes more than one edge (a
-// new flight plan, points that come, go or pass on a line, a degenerate instant) reads all edges,
-// O(n), and renews O(log n) certificates for each changed one. Events: README.md.
+// new flight plan, points that come or go, a degenerate instant) renews O(log n) certificates for each
+// changed one, and looks at no others than those that the triangulation has touched (seen_edges.h). All
+// edges are read, O(n log n), where points pass on a line, meet identically, or the triangulation is
+// rebuilt. Events: README.md.
 //
 // Ties. Of pairs whose distances are identically equal the lexicographically smallest one.
 //
@@ -24,6 +26,7 @@
 #include "structures/parts/front_pair.h"
 #include "structures/parts/pair_distances.h"
 #include "structures/proximity/counted_edges.h"
+#include "structures/proximity/seen_edges.h"
 
 namespace kinex {
 
@@ -40,13 +43,13 @@ class ClosestPairDelaunay final : public FrontPair<PairDistances> {
     read_all();
   }
   // Points come and go in the triangulation.
-  void insert(ObjectId) override { read_all(); }
-  void erase(ObjectId) override { read_all(); }
+  void insert(ObjectId) override { read_touched(); }
+  void erase(ObjectId) override { read_touched(); }
   // The triangulation may have changes that it has not reported yet.
   void instant_settled() override {
     if (kernel_->instant_is_shared(counted_.graph().id())) follow(std::nullopt);
   }
-  void watched_changed(const Event* event) override { follow(counted_.told(event)); }
+  void watched_changed(const Event* event) override { follow(counted_.graph().told(event)); }
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
@@ -54,10 +57,14 @@ class ClosestPairDelaunay final : public FrontPair<PairDistances> {
 
  private:
   void read_all();
+  void read_touched();
+  void catch_up();
+  bool put(const DelaunayEdge& edge, bool is_there);
   void follow(const std::optional<DelaunayEdgeChange>& change);
 
   std::string_view name_;
   CountedEdges counted_;
+  SeenEdges<DelaunayGraph> seen_;
 };
 
 }  // namespace kinex

@@ -16,6 +16,7 @@ ClosestPairDiscs::ClosestPairDiscs(Kernel& kernel, StructureId id, const Regular
     : kernel_(&kernel),
       id_(id),
       graph_(graph),
+      seen_(graph_),
       edges_(kernel, id, "edges", DiscGaps(kernel, graph.dimension())),
       overlap_(kernel.bind(make_disc_overlap(graph.dimension()))),
       apart_(kernel.bind(make_disc_apart(graph.dimension()))),
@@ -35,9 +36,21 @@ std::span<const ObjectId> ClosestPairDiscs::closest() const {
 void ClosestPairDiscs::read_edges() {
   was_of_plane_ = was_of_plane_ && graph_.is_of_plane();
   hidden_ = graph_.hides();
-  edges_.assign(graph_.edges());
+  catch_up();
   edges_.apply(tied());
   changed();
+}
+
+void ClosestPairDiscs::catch_up() {
+  const auto touched = seen_.look();
+  if (!touched) return edges_.assign(graph_.edges());
+  for (const DelaunayEdge& edge : *touched) {
+    if (graph_.has(edge)) {
+      edges_.come(edge);
+    } else {
+      edges_.go(edge);
+    }
+  }
 }
 
 // A change of the closest pair is reported when the instant is over, for certificates of this structure
@@ -73,7 +86,8 @@ void ClosestPairDiscs::begin() {
 void ClosestPairDiscs::rebuild() {
   was_of_plane_ = was_of_plane_ && graph_.is_of_plane();
   hidden_ = graph_.hides();
-  edges_.assign(graph_.edges());
+  seen_.forget();
+  catch_up();
   edges_.rebuild(tied());
   contact_.drop(winner_slot_);
   winner_ = {kNoObject, kNoObject};
@@ -81,12 +95,14 @@ void ClosestPairDiscs::rebuild() {
   events_.begin(closest());
 }
 
-// All edges are read after an event that does not change single edges or contradicts the edges known.
+// All that was touched is read after an event that does not change single edges or contradicts the edges
+// known.
 void ClosestPairDiscs::watched_changed(const Event* event) {
   const auto change = graph_.told(event);
   const bool followed = change && (!change->gone || edges_.go(*change->gone)) &&
                         (!change->came || edges_.come(*change->came));
   if (!followed) return read_edges();
+  seen_.followed(*change);
   edges_.apply(tied());
   changed();
 }

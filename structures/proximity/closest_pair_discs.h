@@ -19,8 +19,9 @@
 // in one plane of space; at most 3 C(n,2) - 2 otherwise in space, and where all discs are on one line,
 // since the triangulation then names all pairs. Not local; a flip or a failure renews O(log n). What
 // changes more than one edge (a disc that shows or hides, a new flight plan, discs that come or go, a
-// degenerate instant) reads all edges, and renews O(log n) certificates for each changed one. Failures
-// that change the case of a duel alone change no winner.
+// degenerate instant) renews O(log n) certificates for each changed one, and looks at those that the
+// triangulation has touched (seen_edges.h), in O(n) to know whether discs are hidden. Failures that change
+// the case of a duel alone change no winner.
 //
 // Ties. Of pairs whose gaps are identically equal the lexicographically smallest one. Discs are closed:
 // two that touch identically meet; those that touch at an instant do not.
@@ -39,6 +40,7 @@
 #include "structures/parts/changing_extremum.h"
 #include "structures/proximity/disc_gaps.h"
 #include "structures/proximity/regular_edges.h"
+#include "structures/proximity/seen_edges.h"
 
 namespace kinex {
 
@@ -101,6 +103,7 @@ class ClosestPairDiscs final : public Structure {
   std::span<const ObjectId> closest() const;
   void begin();
   void read_edges();
+  void catch_up();
   void changed();
   void watch_winner();
   void certify_winner();
@@ -112,6 +115,7 @@ class ClosestPairDiscs final : public Structure {
   Kernel* kernel_;
   StructureId id_;
   RegularGraph graph_;
+  SeenEdges<RegularGraph> seen_;
   ChangingExtremum<DiscGaps> edges_;
   PredicateId overlap_, apart_;
   Slots contact_;

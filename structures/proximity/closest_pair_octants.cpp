@@ -16,8 +16,15 @@ ClosestPairOctants::ClosestPairOctants(Kernel& kernel, StructureId id,
 }
 
 void ClosestPairOctants::read_all() {
-  pairs_.assign(octants_->pairs());
+  read_new_build();
   begin();
+}
+
+// The pairs of points that come and go, and those of events, are known already.
+void ClosestPairOctants::read_new_build() {
+  if (builds_ == octants_->builds()) return;
+  builds_ = octants_->builds();
+  pairs_.assign(octants_->pairs());
 }
 
 // A candidate comes or goes, probably.
@@ -37,9 +44,8 @@ void ClosestPairOctants::pair_changed(const Pair& pair, bool is_there) {
 
 // The tournament changes when the octants have told all of the instant, and a change of the closest pair
 // is reported when the instant is over: certificates of this structure may fail at it, too.
-void ClosestPairOctants::watched_changed(const Event* event) {
-  // The pairs of a point's events are known already.
-  if (event == nullptr || event->kind != ConeNeighbours::kPoint) pairs_.assign(octants_->pairs());
+void ClosestPairOctants::watched_changed(const Event*) {
+  read_new_build();
   kernel_->settle_later(id_);
 }
 

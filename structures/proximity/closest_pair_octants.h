@@ -19,6 +19,7 @@
 #ifndef KINEX_STRUCTURES_PROXIMITY_CLOSEST_PAIR_OCTANTS_H
 #define KINEX_STRUCTURES_PROXIMITY_CLOSEST_PAIR_OCTANTS_H
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -39,9 +40,10 @@ class ClosestPairOctants final : public FrontPair<PairDistances>, public ConeWat
   void build(std::span<const ObjectId>) override { read_all(); }
   void rebuild() override {
     FrontPair::rebuild();
+    builds_ = 0;
     read_all();
   }
-  // Points come and go in the octants.
+  // Points come and go in the octants, which have said what pairs do.
   void insert(ObjectId) override { read_all(); }
   void erase(ObjectId) override { read_all(); }
   // A failure of the octants brings several events: their pairs come and go together.
@@ -55,9 +57,11 @@ class ClosestPairOctants final : public FrontPair<PairDistances>, public ConeWat
 
  private:
   void read_all();
+  void read_new_build();
 
   const ConeNeighbours* octants_;
   std::string_view name_;
+  std::uint64_t builds_ = 0;  // of the octants, as read
 };
 
 }  // namespace kinex

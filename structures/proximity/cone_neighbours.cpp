@@ -73,12 +73,28 @@ bool ConeNeighbours::has(const Pair& pair) const {
   return false;
 }
 
-// As has(), before these changes: a pointer that is among them was the old one, any other one is as it is
-// now.
+// Where they are many: few are looked through.
+void ConeNeighbours::note_old_pairs() {
+  old_pairs_.clear();
+  if (changes_.size() <= kFewChanges) return;
+  for (const Change& c : changes_) {
+    if (frame().counts(c.cone) && c.old != kNoObject) {
+      old_pairs_.push_back(ascending(c.point, c.old));
+    }
+  }
+  std::sort(old_pairs_.begin(), old_pairs_.end());
+}
+
+// As has(), before these changes, whose old pairs are noted: a pointer that is among them was the old one, any
+// other one is as it is now.
 bool ConeNeighbours::had(std::span<const Change> changes, const Pair& pair) const {
-  for (const Change& c : changes) {
-    if (!frame().counts(c.cone) || c.old == kNoObject) continue;
-    if (ascending(c.point, c.old) == pair) return true;
+  if (changes.size() > kFewChanges) {
+    if (std::binary_search(old_pairs_.begin(), old_pairs_.end(), pair)) return true;
+  } else {
+    for (const Change& c : changes) {
+      if (!frame().counts(c.cone) || c.old == kNoObject) continue;
+      if (ascending(c.point, c.old) == pair) return true;
+    }
   }
   for (std::size_t cone = 0; cone < frame().cones(); ++cone) {
     if (!frame().counts(cone)) continue;
@@ -146,9 +162,11 @@ void ConeNeighbours::mark_first(std::vector<Named>& named, bool Telling::*mark) 
   }
 }
 
-// A pair that left or joined belongs to the first event that names it as the old or the new one.
-void ConeNeighbours::tell() {
+// Into telling_. A pair that left or joined belongs to the first event that names it as the old or the new
+// one.
+void ConeNeighbours::find_changes() {
   sort_out(changes_);
+  note_old_pairs();
   telling_.clear();
   gone_.clear();
   came_.clear();
@@ -165,12 +183,25 @@ void ConeNeighbours::tell() {
   changes_.clear();
   mark_first(gone_, &Telling::goes);
   mark_first(came_, &Telling::comes);
+}
+
+void ConeNeighbours::notify(const Telling& one) const {
+  for (ConeWatcher* const watcher : watchers_) {
+    if (one.goes) watcher->pair_changed(ascending(one.point, one.old), false);
+    if (one.comes) watcher->pair_changed(ascending(one.point, one.fresh), true);
+  }
+}
+
+void ConeNeighbours::follow_point() {
+  find_changes();
+  for (const Telling& one : telling_) notify(one);
+}
+
+void ConeNeighbours::tell() {
+  find_changes();
   for (const Telling& one : telling_) {
     const Pair before = ascending(one.point, one.old), after = ascending(one.point, one.fresh);
-    for (ConeWatcher* const watcher : watchers_) {
-      if (one.goes) watcher->pair_changed(before, false);
-      if (one.comes) watcher->pair_changed(after, true);
-    }
+    notify(one);
     kernel_->report(id_, kPoint, {one.point, one.old, one.fresh}, one.goes || one.comes,
                     std::span(before).first(one.goes ? 2 : 0),
                     std::span(after).first(one.comes ? 2 : 0));

@@ -29,7 +29,7 @@
 
 namespace kinex {
 
-// Notified of changes, but not of those of a build, an insertion, an erasure or a rebuild.
+// Notified of changes, but not of those of a build or a rebuild.
 class ConeWatcher {
  public:
   virtual ~ConeWatcher() = default;
@@ -39,7 +39,8 @@ class ConeWatcher {
     static_cast<void>(old);
     static_cast<void>(fresh);
   }
-  // With the event that says so: a pair has joined the attribute, or has left it.
+  // A pair has joined the attribute, or has left it: with the event that says so, or because a point comes or
+  // goes.
   virtual void pair_changed(const std::array<ObjectId, 2>& pair, bool is_there) {
     static_cast<void>(pair);
     static_cast<void>(is_there);
@@ -61,6 +62,8 @@ class ConeNeighbours : public Structure {
   // The pairs of the attribute, ascending, and whether one is among them.
   std::vector<Pair> pairs() const;
   bool has(const Pair& pair) const;
+  // A build and the rebuilds since, of which watchers are not notified pair by pair.
+  std::uint64_t builds() const { return builds_; }
   // `watcher` lives as long as changes are made. It must not change the cones.
   void add_watcher(ConeWatcher& watcher) const { watchers_.push_back(&watcher); }
 
@@ -77,8 +80,13 @@ class ConeNeighbours : public Structure {
   ConeWoods& woods() { return woods_; }
   const ConeWoods& woods() const { return woods_; }
   bool all_told() const { return changes_.empty(); }
-  // Discards the changes that have not been reported.
-  void begin() { changes_.clear(); }
+  // Discards the changes that have not been reported: all may be different.
+  void begin() {
+    changes_.clear();
+    ++builds_;
+  }
+  // The same where a point has come or gone: watchers are notified.
+  void follow_point();
   // next(cone, p) has become another one.
   virtual void pointer_changed(std::size_t cone, ObjectId p) {
     static_cast<void>(cone);
@@ -97,7 +105,8 @@ class ConeNeighbours : public Structure {
   std::size_t bytes_of_woods() const {
     return woods_.bytes() + changes_.capacity() * sizeof(Change) +
            telling_.capacity() * sizeof(Telling) +
-           (gone_.capacity() + came_.capacity()) * sizeof(Named);
+           (gone_.capacity() + came_.capacity()) * sizeof(Named) +
+           old_pairs_.capacity() * sizeof(Pair);
   }
 
  private:
@@ -117,10 +126,13 @@ class ConeNeighbours : public Structure {
   };
   void note(std::size_t cone, ObjectId p, ObjectId old);
   void tell();
+  void find_changes();
+  void notify(const Telling& one) const;
   void mark_first(std::vector<Named>& named, bool Telling::*mark);
   // Each pointer once, ascending, as it was last reported.
   static void sort_out(std::vector<Change>& changes);
   ObjectId next_before(std::span<const Change> changes, std::size_t cone, ObjectId p) const;
+  void note_old_pairs();
   bool had(std::span<const Change> changes, const Pair& pair) const;
   template <class Next>
   std::vector<Pair> pairs_by(const Next& next) const;
@@ -128,10 +140,12 @@ class ConeNeighbours : public Structure {
   Kernel* kernel_;
   StructureId id_;
   ConeWoods woods_;
+  std::uint64_t builds_ = 0;
   std::vector<Change> changes_;  // not reported yet, in the order in which they were made
   // Scratch of tell().
   std::vector<Telling> telling_;
   std::vector<Named> gone_, came_;
+  std::vector<Pair> old_pairs_;  // of the pointers that have changed, as they were; ascending
   mutable std::vector<ConeWatcher*> watchers_;
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "structures/parts/sort_unique.h"
 #include "structures/proximity/spanning_tree.h"
 
 namespace kinex {
@@ -70,10 +71,21 @@ void ConeTree::assign_all() {
 
 // ---- calls
 
+// All pairs, if the cones were built anew, and those of stale_.
+void ConeTree::assign_changed() {
+  const bool rebuilt = builds_ != cones_->builds();
+  builds_ = cones_->builds();
+  sort_unique(stale_);
+  const std::vector<Pair> stale = std::exchange(stale_, {});
+  if (rebuilt) {
+    assign_all();
+  } else {
+    assign(stale);
+  }
+}
+
 void ConeTree::begin() {
-  built_ = true;
-  assign_all();
-  stale_.clear();
+  assign_changed();
   engine_->finish(TreeEngine::Change::kSized);
   events_.begin();
 }
@@ -81,13 +93,14 @@ void ConeTree::begin() {
 void ConeTree::rebuild() {
   engine_->build({});
   while (!lengths_.items().empty()) lengths_.remove(lengths_.items().begin()->second);
+  builds_ = 0;
   begin();
 }
 
 // The cones notify the tree of every pointer, whatever they report; it is read when the instant is
 // settled: a pair may change its cone and stay in the attribute of the cones.
 void ConeTree::pointer_changed(ObjectId point, ObjectId old, ObjectId fresh) {
-  if (!built_) return;
+  if (builds_ == 0) return;
   for (const ObjectId other : {old, fresh}) {
     if (other == kNoObject) continue;
     stale_.push_back({std::min(point, other), std::max(point, other)});
@@ -96,22 +109,16 @@ void ConeTree::pointer_changed(ObjectId point, ObjectId old, ObjectId fresh) {
 }
 
 void ConeTree::follow() {
-  if (stale_.empty()) return;
-  std::sort(stale_.begin(), stale_.end());
-  stale_.erase(std::unique(stale_.begin(), stale_.end()), stale_.end());
-  assign(std::exchange(stale_, {}));
+  if (stale_.empty() && builds_ == cones_->builds()) return;
+  assign_changed();
   engine_->finish(TreeEngine::Change::kMany);
   // What was made now may fail now, too.
   if (events_.any() || kernel_->failure_is_due()) events_.settle_later();
 }
 
-// Changes of pointers are known already.
+// Changes of pointers are known already, but for those of a rebuild.
 void ConeTree::watched_changed(const Event* event) {
-  if (event != nullptr) return;
-  assign_all();
-  stale_.clear();
-  engine_->finish(TreeEngine::Change::kMany);
-  if (events_.any() || kernel_->failure_is_due()) events_.settle_later();
+  if (event == nullptr && builds_ != cones_->builds()) follow();
 }
 
 // Lengths that were identically equal may be so no more, or have become it.

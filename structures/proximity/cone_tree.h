@@ -49,6 +49,7 @@
 #define KINEX_STRUCTURES_PROXIMITY_CONE_TREE_H
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -77,7 +78,7 @@ class ConeTree final : public Structure, public ConeWatcher {
   void build(std::span<const ObjectId>) override { begin(); }
   void rebuild() override;
   void certificate_failed(CertificateId failed) override { engine_->certificate_failed(failed); }
-  // Points come and go in the cones.
+  // Points come and go in the cones, which have said what pointers do.
   void insert(ObjectId) override { begin(); }
   void erase(ObjectId) override { begin(); }
   void motions_changed(std::span<const ObjectId> objects) override;
@@ -104,6 +105,7 @@ class ConeTree final : public Structure, public ConeWatcher {
   void assign_all();
   void follow();
   void begin();
+  void assign_changed();
 
   Kernel* kernel_;
   StructureId id_;
@@ -112,7 +114,7 @@ class ConeTree final : public Structure, public ConeWatcher {
   NormLengths lengths_;
   TreeEvents events_;
   std::unique_ptr<TreeEngine> engine_;
-  bool built_ = false;
+  std::uint64_t builds_ = 0;  // of the cones, as read
   std::vector<Pair> stale_;  // pairs of which pointers have changed since the tree was made
 };
 

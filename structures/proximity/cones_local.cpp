@@ -138,7 +138,7 @@ void ConesLocal::insert(ObjectId object) {
   members_.insert(std::lower_bound(members_.begin(), members_.end(), object), object);
   for (std::size_t i = 0; i < woods().size(); ++i) woods().wood(i).insert(object, members_);
   certify_changed(false);
-  begin();
+  follow_point();
 }
 
 void ConesLocal::erase(ObjectId object) {
@@ -147,7 +147,7 @@ void ConesLocal::erase(ObjectId object) {
     if (!woods().wood(i).erase(object)) stale_[i] = true;
   }
   make_stale_woods();
-  begin();
+  follow_point();
 }
 
 // A claim may be by another key now. One that does not hold right after now fails next, but for two points

@@ -11,15 +11,6 @@ std::vector<DelaunayEdge> CountedEdges::all() const {
   return edges;
 }
 
-std::optional<DelaunayEdgeChange> CountedEdges::told(const Event* event) const {
-  std::optional<DelaunayEdgeChange> change = graph_.told(event);
-  if (!change) return change;
-  for (std::optional<DelaunayEdge>* const edge : {&change->gone, &change->came}) {
-    if (*edge && !counts((**edge)[0], (**edge)[1])) edge->reset();
-  }
-  return change;
-}
-
 CountedEdges::Most CountedEdges::most(std::size_t n) const {
   if (!classes_) {
     return {graph_.most_edges(n), "a tournament of the edges: at most 3n - 6, in space all pairs"};

@@ -27,8 +27,6 @@ class CountedEdges {
   bool counts(ObjectId a, ObjectId b) const { return !classes_ || classes_->differ(a, b); }
   // Ascending. O(n log n) for n edges of the triangulation.
   std::vector<DelaunayEdge> all() const;
-  // As DelaunayGraph::told, of the edges that count.
-  std::optional<DelaunayEdgeChange> told(const Event* event) const;
   // The most edges that count, of n points, and why there are no more.
   struct Most {
     std::size_t edges;

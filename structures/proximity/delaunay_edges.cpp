@@ -62,6 +62,12 @@ std::vector<DelaunayEdge> DelaunayGraph::edges() const {
   return result;
 }
 
+bool DelaunayGraph::has(const DelaunayEdge& edge) const {
+  const auto [a, b] = edge;
+  if (representative(a) == b || representative(b) == a) return true;
+  return in_plane_ != nullptr ? in_plane_->has_edge(a, b) : in_space_->has_edge(a, b);
+}
+
 std::optional<DelaunayEdgeChange> DelaunayGraph::change(const Event& event) const {
   return in_plane_ != nullptr ? change_in_plane(event) : change_in_space(event);
 }

@@ -55,6 +55,16 @@ class DelaunayGraph {
     if (event != nullptr) return change(*event);
     return in_space_ != nullptr ? in_space_->change_within() : std::nullopt;
   }
+  // Which edges may have come or gone, but for those of hidden points; nullptr: all may have.
+  const EdgeJournal* journal() const {
+    return in_plane_ != nullptr ? in_plane_->journal() : in_space_->journal();
+  }
+  // Different numbers: pairs with hidden points may have come or gone.
+  std::uint64_t hidden_changes() const {
+    return in_plane_ != nullptr ? in_plane_->hidden_changes() : in_space_->hidden_changes();
+  }
+  // Requires a journal. O(degree of the first end).
+  bool has(const DelaunayEdge& edge) const;
   // The largest number of edges that n points can have: 3n - 6 in the plane, all pairs in space.
   std::size_t most_edges(std::size_t n) const;
 

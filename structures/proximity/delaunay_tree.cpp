@@ -12,6 +12,7 @@ DelaunayTree::DelaunayTree(Kernel& kernel, StructureId id, const DelaunayGraph& 
     : kernel_(&kernel),
       name_(name),
       triangulation_(triangulation),
+      seen_(triangulation_),
       lengths_(kernel, triangulation.dimension(), triangulation.objects()),
       events_(kernel, id, triangulation.id()),
       engine_(make_tree_engine(method, kernel, id, lengths_, events_, triangulation.objects())) {}
@@ -51,10 +52,24 @@ void DelaunayTree::assign() {
   for (const Edge& edge : gone) remove(edge);
 }
 
+void DelaunayTree::catch_up() {
+  const auto touched = seen_.look();
+  if (!touched) return assign();
+  std::vector<Edge> gone;
+  for (const Edge& edge : *touched) {
+    if (triangulation_.has(edge)) {
+      add(edge);
+    } else {
+      gone.push_back(edge);
+    }
+  }
+  for (const Edge& edge : gone) remove(edge);
+}
+
 // ---- calls
 
 void DelaunayTree::begin() {
-  assign();
+  catch_up();
   engine_->finish(TreeEngine::Change::kSized);
   events_.begin();
 }
@@ -62,6 +77,7 @@ void DelaunayTree::begin() {
 void DelaunayTree::rebuild() {
   engine_->build({});
   for (const auto& [edge, item] : lengths_.items()) forget(item);
+  seen_.forget();
   begin();
 }
 
@@ -73,8 +89,9 @@ void DelaunayTree::follow(const std::optional<DelaunayEdgeChange>& change) {
   if (change) {
     if (change->came) add(*change->came);
     if (change->gone) remove(*change->gone);
+    seen_.followed(*change);
   } else {
-    assign();
+    catch_up();
   }
   engine_->finish(change ? TreeEngine::Change::kSwap : TreeEngine::Change::kMany);
   // What was made now may fail now, too, when the triangulation has told its last change.

@@ -29,8 +29,8 @@
 //                                                           cycle; on random points one in four
 //                                                           or five changes the tree
 //   a flip                 O(log n) comparisons             one triangle dropped, another proved
-//   a degenerate instant,
-//   a point more or less   reads all edges; Kruskal, O(n)   reads all edges; what has changed
+//   a degenerate instant,  looks at the edges that were     looks at the edges that were touched;
+//   a point more or less   touched; Kruskal, O(n)           what has changed
 //
 // Ties. Of edges whose lengths are identically equal the lexicographically smaller one counts as
 // the shorter, so the tree is unique. Points that are identically equal are a star around the
@@ -49,6 +49,7 @@
 #include "core/engine/structure.h"
 #include "structures/proximity/delaunay_edges.h"
 #include "structures/proximity/edge_lengths.h"
+#include "structures/proximity/seen_edges.h"
 #include "structures/proximity/spanning_tree.h"
 #include "structures/proximity/tree_engine.h"
 #include "structures/proximity/tree_events.h"
@@ -99,12 +100,14 @@ class DelaunayTree final : public Structure {
   void remove(const Edge& edge);
   void forget(Item item);
   void assign();
+  void catch_up();
   void follow(const std::optional<DelaunayEdgeChange>& change);
   void begin();
 
   Kernel* kernel_;
   std::string_view name_;
   DelaunayGraph triangulation_;
+  SeenEdges<DelaunayGraph> seen_;
   EdgeLengths lengths_;
   TreeEvents events_;
   std::unique_ptr<TreeEngine> engine_;

@@ -77,7 +77,7 @@ void OctantsListed::insert(ObjectId object) {
   number_places();
   const std::vector<ObjectId> points = lists_[kAlongX].items();
   for (std::size_t i = 0; i < woods().size(); ++i) woods().wood(i).insert(object, points);
-  begin();
+  follow_point();
 }
 
 void OctantsListed::erase(ObjectId object) {
@@ -85,7 +85,7 @@ void OctantsListed::erase(ObjectId object) {
   number_places();
   for (std::size_t i = 0; i < woods().size(); ++i) waits_[i] = !woods().wood(i).erase(object);
   make_woods();
-  begin();
+  follow_point();
 }
 
 void OctantsListed::certificate_failed(CertificateId failed) {

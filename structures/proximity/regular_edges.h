@@ -8,6 +8,7 @@
 #define KINEX_STRUCTURES_PROXIMITY_REGULAR_EDGES_H
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -40,6 +41,22 @@ class RegularGraph {
   // All of them, ascending. O(n log n) for n edges.
   std::vector<DelaunayEdge> edges() const {
     return in_plane_ != nullptr ? in_plane_->edges() : in_space_->edges();
+  }
+  // Which edges may have come or gone; nullptr: all may have, for there are no cells.
+  const EdgeJournal* journal() const {
+    if (in_plane_ != nullptr) {
+      return in_plane_->flat() ? nullptr : &in_plane_->triangulation().journal();
+    }
+    return in_space_->flat() ? nullptr : &in_space_->triangulation().journal();
+  }
+  // Hidden discs have no edges.
+  std::uint64_t hidden_changes() const { return 0; }
+  // Requires a journal. O(degree of the first end).
+  bool has(const DelaunayEdge& edge) const {
+    const auto [a, b] = edge;
+    if (in_plane_ == nullptr) return in_space_->triangulation().adjacent(a, b);
+    const Triangulation2& store = in_plane_->triangulation();
+    return store.between(a, b) != Triangulation2::kNone;
   }
   // The change that an external event of the triangulation states; nullopt if it has to be read off
   // the triangulation.

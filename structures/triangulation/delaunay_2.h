@@ -142,6 +142,11 @@ class Delaunay2 final : public Structure, public LocalPairs {
   // The vertex for `object`: itself, or the one it is hidden behind; kNoObject: not present.
   ObjectId representative(ObjectId object) const { return points_.vertex_of(object); }
   bool on_line() const { return on_line_; }
+  // Which edges may have come or gone; nullptr: all may have, for the points are on one line.
+  const EdgeJournal* journal() const { return on_line_ ? nullptr : &store_.journal(); }
+  std::uint64_t hidden_changes() const { return points_.hidden_changes(); }
+  // Requires that the points are not on one line. O(degree of a).
+  bool has_edge(ObjectId a, ObjectId b) const { return store_.between(a, b) != kNone; }
   // The number of points removed and inserted again at degenerate instants.
   std::uint64_t reinsertions() const { return reinsertions_; }
 

@@ -123,6 +123,11 @@ class Delaunay3 final : public SpaceFlips<SewnTriangulation<RegularGeometry<Spac
   std::vector<std::array<ObjectId, 2>> edges() const;
   // The other ends of the edges at a vertex, ascending. O(k log k) for k of them.
   std::vector<ObjectId> neighbours(ObjectId vertex) const;
+  // Which edges may have come or gone; nullptr: all may have, for the points are in one plane.
+  const EdgeJournal* journal() const { return flat_ ? nullptr : &store_.journal(); }
+  std::uint64_t hidden_changes() const { return points_.hidden_changes(); }
+  // Requires that the points are not in one plane. O(degree of a).
+  bool has_edge(ObjectId a, ObjectId b) const { return store_.adjacent(a, b); }
   // All points, four or more, are in one plane, or on one line.
   bool planar() const { return flat_ && plane_ != nullptr && !plane_->empty(); }
   // The edges that have changed since readers were told the last time, if that is one flip in the plane of

@@ -22,12 +22,14 @@ std::vector<ObjectId> EqualPoints::members() const {
 
 void EqualPoints::reset() {
   std::fill(vertex_of_.begin(), vertex_of_.end(), kNoObject);
+  if (!hidden_.empty()) ++hidden_changes_;
   hidden_.clear();
 }
 
 void EqualPoints::hide(ObjectId object, ObjectId vertex) {
   std::vector<ObjectId> hidden = reveal_behind(object);
   hidden.push_back(object);
+  ++hidden_changes_;
   std::vector<ObjectId>& list = hidden_[vertex];
   for (const ObjectId v : hidden) {
     vertex_of_[v] = vertex;
@@ -41,11 +43,13 @@ void EqualPoints::reveal(ObjectId object) {
   list.erase(std::lower_bound(list.begin(), list.end(), object));
   if (list.empty()) hidden_.erase(it);
   vertex_of_[object] = kNoObject;
+  ++hidden_changes_;
 }
 
 std::vector<ObjectId> EqualPoints::reveal_behind(ObjectId vertex) {
   const auto it = hidden_.find(vertex);
   if (it == hidden_.end()) return {};
+  ++hidden_changes_;
   std::vector<ObjectId> revealed = std::move(it->second);
   hidden_.erase(it);
   for (const ObjectId v : revealed) vertex_of_[v] = kNoObject;

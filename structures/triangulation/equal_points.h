@@ -8,6 +8,7 @@
 #define KINEX_STRUCTURES_TRIANGULATION_EQUAL_POINTS_H
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <span>
@@ -38,6 +39,8 @@ class EqualPoints {
   bool is_vertex(ObjectId object) const { return vertex_of_[object] == object; }
   // The points behind each vertex that hides any, ascending.
   const std::map<ObjectId, std::vector<ObjectId>>& hidden() const { return hidden_; }
+  // Different numbers: other points may be hidden, or behind others.
+  std::uint64_t hidden_changes() const { return hidden_changes_; }
 
   // No point is a vertex or hidden.
   void reset();
@@ -80,6 +83,7 @@ class EqualPoints {
   std::vector<bool> present_;
   std::vector<ObjectId> vertex_of_;
   std::map<ObjectId, std::vector<ObjectId>> hidden_;
+  std::uint64_t hidden_changes_ = 0;
 };
 
 }  // namespace kinex

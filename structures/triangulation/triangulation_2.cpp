@@ -17,6 +17,11 @@ void Triangulation2::clear() {
   triangle_mark_.clear();
   out_.assign(out_.size(), kNone);
   vertices_ = 0;
+  journal_.forget();
+}
+
+void Triangulation2::touch_sides(const Corners& corners) {
+  for (std::size_t i = 0; i < 3; ++i) touch(corners[i], corners[(i + 1) % 3]);
 }
 
 Triangulation2::Triangle Triangulation2::allocate() {
@@ -51,6 +56,7 @@ void Triangulation2::start(ObjectId a, ObjectId b, ObjectId c) {
   }
   out_[infinity_] = ghost[0] + 2;
   vertices_ = 3;
+  touch_sides({a, b, c});
 }
 
 bool Triangulation2::adjacent(ObjectId a, ObjectId b) const {
@@ -82,6 +88,8 @@ Triangulation2::HalfEdge Triangulation2::flip(HalfEdge h) {
   out_[v] = h1;
   out_[p] = h2;
   out_[q] = g2;
+  touch(u, v);
+  touch(p, q);
   return h2;
 }
 
@@ -103,6 +111,7 @@ bool Triangulation2::star(ObjectId v, const std::vector<Triangle>& cavity,
   for (const Side& s : sides_) {
     if (vertex_mark_[s.to] != epoch_) return false;
   }
+  for (const Triangle t : cavity) touch_sides(corners(t));
   slots_ = cavity;
   slots_.push_back(allocate());
   slots_.push_back(allocate());
@@ -114,6 +123,7 @@ bool Triangulation2::star(ObjectId v, const std::vector<Triangle>& cavity,
     half_edges_[h + 1] = {s.to, kNone, kNone};
     half_edges_[h + 2] = {v, kNone, kNone};
     vertex_triangle_[s.from] = slots_[i];
+    touch(v, s.from);
     rim.push_back(h);
   }
   for (std::size_t i = 0; i < sides_.size(); ++i) {
@@ -143,6 +153,7 @@ void Triangulation2::fill(ObjectId v, const std::vector<Ear>& ears, std::vector<
   for (const HalfEdge h : link_) {
     sides_.push_back({origin(h), target(h), twin(h), label(h)});
     slots_.push_back(triangle(h));
+    touch(v, origin(h));
   }
   for (const Triangle t : slots_) release(t);
   out_[v] = kNone;
@@ -160,6 +171,7 @@ void Triangulation2::fill(ObjectId v, const std::vector<Ear>& ears, std::vector<
     } else {
       half_edges_[h + 2] = {sides_[after].from, kNone, kNone};
       out_[sides_[after].from] = h + 2;
+      touch(sides_[before].from, sides_[after].from);
       sides_[before].outer = h + 2;
       sides_[before].label = kNone;
     }
@@ -237,9 +249,15 @@ bool Triangulation2::replace(std::span<const Triangle> cells,
     if (v != infinity_) --vertices_;
     out_[v] = kNone;
   }
-  for (const Triangle t : cells) release(t);
+  for (const Triangle t : cells) {
+    touch_sides(corners(t));
+    release(t);
+  }
   fresh.clear();
-  for (std::size_t i = 0; i < fresh_corners.size(); ++i) fresh.push_back(allocate());
+  for (const Corners& one : fresh_corners) {
+    touch_sides(one);
+    fresh.push_back(allocate());
+  }
   const auto half_edge = [&fresh](std::uint32_t place) { return 3 * fresh[place / 3] + place % 3; };
   for (const Inner& side : inner) {
     const HalfEdge h = half_edge(side.place);
@@ -297,6 +315,7 @@ std::string Triangulation2::defect() const {
 
 std::size_t Triangulation2::bytes() const {
   return half_edges_.capacity() * sizeof(Record) + sides_.capacity() * sizeof(Side) +
+         journal_.bytes() +
          (out_.capacity() + free_.capacity() + triangle_mark_.capacity() + vertex_mark_.capacity() +
           vertex_triangle_.capacity() + slots_.capacity() + link_.capacity()) *
              sizeof(std::uint32_t);

@@ -17,6 +17,7 @@
 #ifndef KINEX_STRUCTURES_TRIANGULATION_TRIANGULATION_2_H
 #define KINEX_STRUCTURES_TRIANGULATION_TRIANGULATION_2_H
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,6 +27,7 @@
 
 #include "core/motion/scene.h"
 #include "core/numbers/big_array.h"
+#include "structures/triangulation/edge_journal.h"
 
 namespace kinex {
 
@@ -40,6 +42,8 @@ class Triangulation2 {
   explicit Triangulation2(std::size_t objects);
 
   ObjectId infinity() const { return infinity_; }
+  // The finite edges that changes have touched.
+  const EdgeJournal& journal() const { return journal_; }
   void clear();
   // The triangle a, b, c, counter-clockwise, alone on the sphere. Requires an empty triangulation.
   void start(ObjectId a, ObjectId b, ObjectId c);
@@ -133,6 +137,10 @@ class Triangulation2 {
     std::uint32_t label;
   };
 
+  void touch(ObjectId a, ObjectId b) {
+    if (std::max(a, b) != infinity_) journal_.touch(a, b);
+  }
+  void touch_sides(const Corners& corners);
   Triangle allocate();
   void release(Triangle t);
   void put(HalfEdge h, ObjectId from, HalfEdge twin, std::uint32_t label) {
@@ -146,6 +154,7 @@ class Triangulation2 {
   std::vector<HalfEdge> out_;
   std::vector<Triangle> free_;
   std::size_t vertices_ = 0;
+  EdgeJournal journal_;
   // scratch
   std::vector<std::uint32_t> triangle_mark_;
   std::vector<std::uint32_t> vertex_mark_;

@@ -14,6 +14,13 @@ void Triangulation3::clear() {
   places_.clear();
   free_.clear();
   vertices_ = 0;
+  journal_.forget();
+}
+
+void Triangulation3::touch_edges(const Quad& quad) {
+  for (unsigned i = 0; i < 4; ++i) {
+    for (unsigned j = i + 1; j < 4; ++j) touch(quad[i], quad[j]);
+  }
 }
 
 void Triangulation3::start(const Quad& cell) {
@@ -156,6 +163,7 @@ void Triangulation3::flip_2_3(Facet f, std::array<Facet, 9>& fresh) {
     cell_of_[old[k]] = made[k == (i + 1) % 4 ? (i + 2) % 4 : (i + 1) % 4];
   }
   cell_of_[p] = cell_of_[q] = c;
+  touch(p, q);
 }
 
 // Of the cell c of f, with the edge u v and the vertices x, y: the new cells are c with v, and with
@@ -201,6 +209,7 @@ void Triangulation3::flip_3_2(Facet f, Facet out, std::array<Facet, 7>& fresh,
            4 * b + i % 4, 4 * b + k % 4, 4 * b + l % 4};
   cell_of_[u] = cell_of_[x] = cell_of_[y] = cell_of_[z] = a;
   cell_of_[v] = b;
+  touch(u, v);
 }
 
 bool Triangulation3::replace(std::span<const Cell> cells, std::span<const Quad> quads,
@@ -264,10 +273,12 @@ bool Triangulation3::replace(std::span<const Cell> cells, std::span<const Quad> 
     for (const ObjectId v : entry.triple) give(v, cell(entry.outside));
   }
   for (const Cell c : cells) {
+    touch_edges(quad(c));
     for (Facet f = 4 * c; f < 4 * c + 4; ++f) places_[f] = {};
     free_.push_back(c);
   }
   for (const Quad& q : quads) {
+    touch_edges(q);
     const Cell c = allocate();
     fresh.push_back(c);
     for (unsigned i = 0; i < 4; ++i) {
@@ -326,6 +337,7 @@ std::string Triangulation3::defect() const {
 
 std::size_t Triangulation3::bytes() const {
   return places_.capacity() * sizeof(Place) + entries_.capacity() * sizeof(Entry) +
+         journal_.bytes() +
          (cell_of_.capacity() + free_.capacity() + mark_.capacity() + open_.capacity()) *
              sizeof(std::uint32_t);
 }

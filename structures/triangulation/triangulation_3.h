@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "core/motion/scene.h"
+#include "structures/triangulation/edge_journal.h"
 
 namespace kinex {
 
@@ -41,6 +42,8 @@ class Triangulation3 {
       : infinity_(static_cast<ObjectId>(objects)), cell_of_(objects + 1, kNone) {}
 
   ObjectId infinity() const { return infinity_; }
+  // The finite edges that changes have touched.
+  const EdgeJournal& journal() const { return journal_; }
   // O(cells).
   void clear();
   // The cell and the four ghosts on its facets. Requires an empty triangulation.
@@ -129,6 +132,10 @@ class Triangulation3 {
     std::uint32_t quad;
     std::uint32_t place;
   };
+  void touch(ObjectId a, ObjectId b) {
+    if (a != infinity_ && b != infinity_) journal_.touch(a, b);
+  }
+  void touch_edges(const Quad& quad);
   Cell allocate();
   void join(Facet f, Facet g, std::uint32_t label) {
     places_[f].mate = g;
@@ -143,6 +150,7 @@ class Triangulation3 {
   std::vector<Cell> cell_of_;
   std::vector<Cell> free_;
   std::size_t vertices_ = 0;
+  EdgeJournal journal_;
   // scratch
   mutable std::vector<std::uint32_t> mark_;
   mutable std::uint32_t epoch_ = 0;
