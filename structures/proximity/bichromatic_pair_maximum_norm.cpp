@@ -105,8 +105,7 @@ std::vector<BoundCheck> BichromaticPairMaximumNorm::bounds(const BoundContext& c
   std::vector<BoundCheck> result{
       at_most(own + ".certificates",
               "four lists, and a tournament of 12 n ceil(log2 n) offers, twice as many if points "
-              "came or "
-              "went, or four lengths for each pair of the two colours",
+              "came or went, or four lengths for each pair of the two colours",
               ConeOffers::most_certificates(n) +
                   (lengths.sign() > 0 ? lengths - Integer(1) : Integer(0)),
               counted(ledger.max_live)),

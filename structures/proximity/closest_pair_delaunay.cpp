@@ -26,9 +26,8 @@ void ClosestPairDelaunay::read_touched() {
 }
 
 void ClosestPairDelaunay::catch_up() {
-  const auto touched = seen_.look();
-  if (!touched) return pairs_.assign(counted_.all());
-  for (const DelaunayEdge& edge : *touched) put(edge, counted_.graph().has(edge));
+  seen_.look([this] { pairs_.assign(counted_.all()); },
+             [this](const DelaunayEdge& edge, bool is_there) { put(edge, is_there); });
 }
 
 // False if that is known already.
@@ -46,6 +45,7 @@ void ClosestPairDelaunay::follow(const std::optional<DelaunayEdgeChange>& change
   if (followed) {
     seen_.followed(*change);
   } else {
+    if (change) seen_.forget();  // a contradiction, of an inexact arithmetic
     catch_up();
   }
   pairs_.apply(tied());

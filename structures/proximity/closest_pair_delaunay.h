@@ -10,8 +10,9 @@
 // than pairs), not local; a flip or a failure renews O(log n). What changes more than one edge (a
 // new flight plan, points that come or go, a degenerate instant) renews O(log n) certificates for each
 // changed one, and looks at no others than those that the triangulation has touched (seen_edges.h). All
-// edges are read, O(n log n), where points pass on a line, meet identically, or the triangulation is
-// rebuilt. Events: README.md.
+// edges are read, O(n log n), where points are on a line or, in space, in a plane (but for single flips
+// there), meet identically, where the triangulation is rebuilt, and where thousands were touched. Events:
+// README.md.
 //
 // Ties. Of pairs whose distances are identically equal the lexicographically smallest one.
 //

@@ -42,15 +42,14 @@ void ClosestPairDiscs::read_edges() {
 }
 
 void ClosestPairDiscs::catch_up() {
-  const auto touched = seen_.look();
-  if (!touched) return edges_.assign(graph_.edges());
-  for (const DelaunayEdge& edge : *touched) {
-    if (graph_.has(edge)) {
-      edges_.come(edge);
-    } else {
-      edges_.go(edge);
-    }
-  }
+  seen_.look([this] { edges_.assign(graph_.edges()); },
+             [this](const DelaunayEdge& edge, bool is_there) {
+               if (is_there) {
+                 edges_.come(edge);
+               } else {
+                 edges_.go(edge);
+               }
+             });
 }
 
 // A change of the closest pair is reported when the instant is over, for certificates of this structure
@@ -101,7 +100,10 @@ void ClosestPairDiscs::watched_changed(const Event* event) {
   const auto change = graph_.told(event);
   const bool followed = change && (!change->gone || edges_.go(*change->gone)) &&
                         (!change->came || edges_.come(*change->came));
-  if (!followed) return read_edges();
+  if (!followed) {
+    if (change) seen_.forget();  // a contradiction, of an inexact arithmetic
+    return read_edges();
+  }
   seen_.followed(*change);
   edges_.apply(tied());
   changed();

@@ -20,8 +20,9 @@
 // since the triangulation then names all pairs. Not local; a flip or a failure renews O(log n). What
 // changes more than one edge (a disc that shows or hides, a new flight plan, discs that come or go, a
 // degenerate instant) renews O(log n) certificates for each changed one, and looks at those that the
-// triangulation has touched (seen_edges.h), in O(n) to know whether discs are hidden. Failures that change
-// the case of a duel alone change no winner.
+// triangulation has touched (seen_edges.h), in O(n) to know whether discs are hidden. All pairs are read
+// where discs are on one line, and all edges of balls in one plane. Failures that change the case of a duel
+// alone change no winner.
 //
 // Ties. Of pairs whose gaps are identically equal the lexicographically smallest one. Discs are closed:
 // two that touch identically meet; those that touch at an instant do not.

@@ -74,9 +74,8 @@ std::vector<BoundCheck> ClosestPairRangeTree::bounds(const BoundContext& context
       at_most(
           "closest_pair_range_tree.certificates",
           cones_ == ConeOffers::Cones::kOctants
-              ? "four lists, and a tournament of 8 n ceil(log2 n) offers, twice as many if points "
-                "came "
-                "or went, or all pairs"
+              ? "four lists, and a tournament of 8 n ceil(log2 n) offers, twice as many if "
+                "points came or went, or all pairs"
               : "four lists, and a tournament of 10 n ceil(log2 n) offers, twice as many if points "
                 "came or went, or all pairs",
           ConeOffers::most_certificates(n) + (offers.sign() > 0 ? offers - Integer(1) : Integer(0)),

@@ -29,7 +29,7 @@
 
 namespace kinex {
 
-// Notified of changes, but not of those of a build or a rebuild.
+// Notified of changes. What a build or a rebuild does to the pairs is not said one by one (builds()).
 class ConeWatcher {
  public:
   virtual ~ConeWatcher() = default;

@@ -16,7 +16,7 @@
 //
 // Certificates: the order of two neighbours, n - 1 a list, degree d for motions of degree d. An
 // exchange of neighbours makes O(log^2 n) steps in the range trees, an insertion or erasure amortised
-// O(log^3 n).
+// O(log^3 n), and O(n log^2 n) where an inexact arithmetic puts other points in another order at it.
 #ifndef KINEX_STRUCTURES_PROXIMITY_CONE_OFFERS_H
 #define KINEX_STRUCTURES_PROXIMITY_CONE_OFFERS_H
 

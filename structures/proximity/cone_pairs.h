@@ -59,7 +59,7 @@
 // Cost, for n points: n ceil(log2 n) treap nodes, at most twice as many after insertions and
 // erasures, with 2, 5 or 3 offers each at most. Two neighbours that change places in an order:
 // O(log^2 n) steps. An insertion or erasure: O(log^2 n) steps in the treaps that stay, and O(m log^2 m)
-// for a new subtree of m points, amortised O(log^3 n).
+// for a new subtree of m points, amortised O(log^3 n). All steps are expected ones, of treaps.
 //
 // Source: after Basch, Guibas, Zhang, "Proximity problems on moving points" (1997), and Agarwal,
 // Kaplan, Sharir, "Kinetic and dynamic data structures for closest pair and all nearest neighbors"

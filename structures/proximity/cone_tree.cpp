@@ -116,7 +116,7 @@ void ConeTree::follow() {
   if (events_.any() || kernel_->failure_is_due()) events_.settle_later();
 }
 
-// Changes of pointers are known already, but for those of a rebuild.
+// Changes of pointers are known already; a rebuild of the cones need not have told all.
 void ConeTree::watched_changed(const Event* event) {
   if (event == nullptr && builds_ != cones_->builds()) follow();
 }

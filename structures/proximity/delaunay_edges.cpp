@@ -64,7 +64,7 @@ std::vector<DelaunayEdge> DelaunayGraph::edges() const {
 
 bool DelaunayGraph::has(const DelaunayEdge& edge) const {
   const auto [a, b] = edge;
-  if (representative(a) == b || representative(b) == a) return true;
+  if (is_hidden_pair(edge)) return true;
   return in_plane_ != nullptr ? in_plane_->has_edge(a, b) : in_space_->has_edge(a, b);
 }
 

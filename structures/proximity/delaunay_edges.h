@@ -65,6 +65,10 @@ class DelaunayGraph {
   }
   // Requires a journal. O(degree of the first end).
   bool has(const DelaunayEdge& edge) const;
+  // One is hidden behind the other.
+  bool is_hidden_pair(const DelaunayEdge& edge) const {
+    return representative(edge[0]) == edge[1] || representative(edge[1]) == edge[0];
+  }
   // The largest number of edges that n points can have: 3n - 6 in the plane, all pairs in space.
   std::size_t most_edges(std::size_t n) const;
 

@@ -53,16 +53,15 @@ void DelaunayTree::assign() {
 }
 
 void DelaunayTree::catch_up() {
-  const auto touched = seen_.look();
-  if (!touched) return assign();
   std::vector<Edge> gone;
-  for (const Edge& edge : *touched) {
-    if (triangulation_.has(edge)) {
-      add(edge);
-    } else {
-      gone.push_back(edge);
-    }
-  }
+  seen_.look([this] { assign(); },
+             [&](const Edge& edge, bool is_there) {
+               if (is_there) {
+                 add(edge);
+               } else {
+                 gone.push_back(edge);
+               }
+             });
   for (const Edge& edge : gone) remove(edge);
 }
 

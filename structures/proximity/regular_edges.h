@@ -51,13 +51,11 @@ class RegularGraph {
   }
   // Hidden discs have no edges.
   std::uint64_t hidden_changes() const { return 0; }
+  bool is_hidden_pair(const DelaunayEdge&) const { return false; }
   // Requires a journal. O(degree of the first end).
-  bool has(const DelaunayEdge& edge) const {
-    const auto [a, b] = edge;
-    if (in_plane_ == nullptr) return in_space_->triangulation().adjacent(a, b);
-    const Triangulation2& store = in_plane_->triangulation();
-    return store.between(a, b) != Triangulation2::kNone;
-  }
+  bool has(const DelaunayEdge& edge) const;
+  // The other ends of the edges at a disc, ascending. Requires a journal. O(k log k) for k of them.
+  std::vector<ObjectId> neighbours(ObjectId disc) const;
   // The change that an external event of the triangulation states; nullopt if it has to be read off
   // the triangulation.
   std::optional<DelaunayEdgeChange> change(const Event& event) const;

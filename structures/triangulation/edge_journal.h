@@ -8,7 +8,7 @@
 // The journal keeps the last few thousand edges: a reader that stays further behind, and one that has seen a
 // triangulation that was dropped, has to read all edges again.
 //
-// Cost: O(1) for an edge; O(k log k) for what k touched edges were. At most 32 KB.
+// Cost: amortised O(1) for an edge; O(k log k) for what k touched edges were. At most 32 KB.
 #ifndef KINEX_STRUCTURES_TRIANGULATION_EDGE_JOURNAL_H
 #define KINEX_STRUCTURES_TRIANGULATION_EDGE_JOURNAL_H
 
@@ -51,12 +51,14 @@ class EdgeJournal {
     sort_unique(edges);
     return edges;
   }
-  // True if no others than these were touched since. O(1) for one or two of them.
-  bool are_all_since(Position seen, std::span<const Edge> edges) const {
-    if (seen < begin_) return false;
-    return std::all_of(
-        touched_.begin() + static_cast<std::ptrdiff_t>(seen - begin_), touched_.end(),
-        [&](const Edge& one) { return std::find(edges.begin(), edges.end(), one) != edges.end(); });
+  // Behind the edges of one change, if a reader has seen all before them and they were touched next, each
+  // once; else where it was.
+  Position behind(Position seen, std::span<const Edge> change) const {
+    if (seen < begin_ || position() - seen < change.size()) return seen;
+    const auto from = touched_.begin() + static_cast<std::ptrdiff_t>(seen - begin_);
+    const auto to = from + static_cast<std::ptrdiff_t>(change.size());
+    return std::is_permutation(from, to, change.begin(), change.end()) ? seen + change.size()
+                                                                       : seen;
   }
   std::size_t bytes() const { return touched_.capacity() * sizeof(Edge); }
 

@@ -20,10 +20,6 @@ void Triangulation2::clear() {
   journal_.forget();
 }
 
-void Triangulation2::touch_sides(const Corners& corners) {
-  for (std::size_t i = 0; i < 3; ++i) touch(corners[i], corners[(i + 1) % 3]);
-}
-
 Triangulation2::Triangle Triangulation2::allocate() {
   if (!free_.empty()) {
     const Triangle t = free_.back();
@@ -56,7 +52,7 @@ void Triangulation2::start(ObjectId a, ObjectId b, ObjectId c) {
   }
   out_[infinity_] = ghost[0] + 2;
   vertices_ = 3;
-  touch_sides({a, b, c});
+  for (unsigned i = 0; i < 3; ++i) touch(corner[i], corner[(i + 1) % 3]);
 }
 
 bool Triangulation2::adjacent(ObjectId a, ObjectId b) const {
@@ -101,7 +97,10 @@ bool Triangulation2::star(ObjectId v, const std::vector<Triangle>& cavity,
   for (const Triangle t : cavity) {
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
       const Record& side = half_edges_[h];
-      if (triangle_mark_[triangle(side.twin)] == epoch_) continue;
+      if (triangle_mark_[triangle(side.twin)] == epoch_) {
+        if (h < side.twin) touch(side.origin, target(h));
+        continue;
+      }
       if (vertex_mark_[side.origin] == epoch_) return false;  // the rim meets a vertex twice
       vertex_mark_[side.origin] = epoch_;
       sides_.push_back({side.origin, target(h), side.twin, side.label});
@@ -111,7 +110,6 @@ bool Triangulation2::star(ObjectId v, const std::vector<Triangle>& cavity,
   for (const Side& s : sides_) {
     if (vertex_mark_[s.to] != epoch_) return false;
   }
-  for (const Triangle t : cavity) touch_sides(corners(t));
   slots_ = cavity;
   slots_.push_back(allocate());
   slots_.push_back(allocate());
@@ -230,7 +228,10 @@ bool Triangulation2::replace(std::span<const Triangle> cells,
   for (const Triangle t : cells) {
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
       old.push_back(origin(h));
-      if (triangle_mark_[triangle(twin(h))] == epoch_) continue;
+      if (triangle_mark_[triangle(twin(h))] == epoch_) {
+        if (h < twin(h)) touch(origin(h), target(h));
+        continue;
+      }
       Inner* const side = find(origin(h), target(h));
       if (side == nullptr) return false;
       side->outer = twin(h);
@@ -249,15 +250,9 @@ bool Triangulation2::replace(std::span<const Triangle> cells,
     if (v != infinity_) --vertices_;
     out_[v] = kNone;
   }
-  for (const Triangle t : cells) {
-    touch_sides(corners(t));
-    release(t);
-  }
+  for (const Triangle t : cells) release(t);
   fresh.clear();
-  for (const Corners& one : fresh_corners) {
-    touch_sides(one);
-    fresh.push_back(allocate());
-  }
+  for (std::size_t i = 0; i < fresh_corners.size(); ++i) fresh.push_back(allocate());
   const auto half_edge = [&fresh](std::uint32_t place) { return 3 * fresh[place / 3] + place % 3; };
   for (const Inner& side : inner) {
     const HalfEdge h = half_edge(side.place);
@@ -266,6 +261,7 @@ bool Triangulation2::replace(std::span<const Triangle> cells,
       put(h, side.from, side.outer, side.label);
     } else {
       half_edges_[h] = {side.from, half_edge(find(side.to, side.from)->place), kNone};
+      if (side.from < side.to) touch(side.from, side.to);
       out_[side.from] = h;
     }
   }

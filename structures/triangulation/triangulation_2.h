@@ -140,7 +140,6 @@ class Triangulation2 {
   void touch(ObjectId a, ObjectId b) {
     if (std::max(a, b) != infinity_) journal_.touch(a, b);
   }
-  void touch_sides(const Corners& corners);
   Triangle allocate();
   void release(Triangle t);
   void put(HalfEdge h, ObjectId from, HalfEdge twin, std::uint32_t label) {

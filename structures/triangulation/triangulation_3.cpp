@@ -2,6 +2,7 @@
 #include "structures/triangulation/triangulation_3.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -17,10 +18,22 @@ void Triangulation3::clear() {
   journal_.forget();
 }
 
-void Triangulation3::touch_edges(const Quad& quad) {
-  for (unsigned i = 0; i < 4; ++i) {
-    for (unsigned j = i + 1; j < 4; ++j) touch(quad[i], quad[j]);
-  }
+void Triangulation3::touch_changed(std::span<const Cell> cells, std::span<const Quad> quads) {
+  std::vector<EdgeJournal::Edge> old, fresh, changed;
+  const auto add = [](std::vector<EdgeJournal::Edge>& edges, const Quad& quad) {
+    for (unsigned i = 0; i < 4; ++i) {
+      for (unsigned j = i + 1; j < 4; ++j) {
+        edges.push_back({std::min(quad[i], quad[j]), std::max(quad[i], quad[j])});
+      }
+    }
+  };
+  for (const Cell c : cells) add(old, quad(c));
+  for (const Quad& q : quads) add(fresh, q);
+  sort_unique(old);
+  sort_unique(fresh);
+  std::set_symmetric_difference(old.begin(), old.end(), fresh.begin(), fresh.end(),
+                                std::back_inserter(changed));
+  for (const auto& [a, b] : changed) touch(a, b);
 }
 
 void Triangulation3::start(const Quad& cell) {
@@ -272,13 +285,12 @@ bool Triangulation3::replace(std::span<const Cell> cells, std::span<const Quad> 
     if (entry.outside == kNone) continue;
     for (const ObjectId v : entry.triple) give(v, cell(entry.outside));
   }
+  touch_changed(cells, quads);
   for (const Cell c : cells) {
-    touch_edges(quad(c));
     for (Facet f = 4 * c; f < 4 * c + 4; ++f) places_[f] = {};
     free_.push_back(c);
   }
   for (const Quad& q : quads) {
-    touch_edges(q);
     const Cell c = allocate();
     fresh.push_back(c);
     for (unsigned i = 0; i < 4; ++i) {

@@ -135,7 +135,8 @@ class Triangulation3 {
   void touch(ObjectId a, ObjectId b) {
     if (a != infinity_ && b != infinity_) journal_.touch(a, b);
   }
-  void touch_edges(const Quad& quad);
+  // Those of old cells alone, or of new ones.
+  void touch_changed(std::span<const Cell> cells, std::span<const Quad> quads);
   Cell allocate();
   void join(Facet f, Facet g, std::uint32_t label) {
     places_[f].mate = g;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "structures/proximity/place_tree.h"
+#include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
@@ -118,7 +119,7 @@ class Field {
   using Pair = std::array<ObjectId, 2>;
 
   Field(std::size_t objects, KeptPoints kept, const TwoClasses* classes, bool against)
-      : against_(against), labels_(3, AxisLabels(objects)), orders_(3) {
+      : classes_(classes), against_(against), labels_(3, AxisLabels(objects)), orders_(3) {
     trees_ = make_cone_pairs(kept,
                              {PlacesAlong(labels_[0], against), PlacesAlong(labels_[1], false),
                               PlacesAlong(labels_[2], against)},
@@ -142,6 +143,7 @@ class Field {
     }
     trees_->build(points);
   }
+  void rebuild() { trees_->build(orders_[2]); }
   // At these places of the orders.
   void insert(ObjectId object, const std::array<std::size_t, 3>& places) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -192,12 +194,11 @@ class Field {
     EXPECT_LE(offers, most_offers * size() * 2 * log2_up(size()));
     for (const ObjectId p : orders_[0]) {
       for (const ObjectId q : orders_[0]) {
-        if (p == q || !in_cone(p, q)) continue;
+        if (p == q || !in_cone(p, q) || (classes_ != nullptr && !classes_->differ(p, q))) continue;
         bool mutual = true;
         for (const ObjectId r : orders_[0]) {
-          if (r == p || r == q) continue;
-          mutual =
-              mutual && !(in_cone(p, r) && before(2, r, q)) && !(in_cone(r, q) && before(2, p, r));
+          mutual = mutual && !(are_rivals(q, r) && in_cone(p, r) && before(2, r, q)) &&
+                   !(are_rivals(p, r) && in_cone(r, q) && before(2, p, r));
         }
         EXPECT_TRUE(!mutual || offers_.count({p, q}) == 1) << p << " " << q;
       }
@@ -213,6 +214,12 @@ class Field {
   }
   bool in_cone(ObjectId p, ObjectId q) const { return before(0, p, q) && before(1, p, q); }
 
+  // Two points of which one may take the other's place among what is kept.
+  bool are_rivals(ObjectId a, ObjectId b) const {
+    return a != b && (classes_ == nullptr || !classes_->differ(a, b));
+  }
+
+  const TwoClasses* classes_;
   bool against_;
   std::vector<AxisLabels> labels_;
   std::vector<std::vector<ObjectId>> orders_;
@@ -221,30 +228,40 @@ class Field {
 };
 
 TEST(ConePairs, PointsThatComeGoAndChangePlaces) {
-  for (const KeptPoints kept : {KeptPoints::kOne, KeptPoints::kTwo}) {
+  constexpr std::size_t kObjects = 24;
+  Scene scene = reference_scene(kObjects, 2, 1);
+  for (std::size_t i = 0; i < kObjects; ++i) scene.objects[i].colour = i % 3 == 0 ? "red" : "blue";
+  Request request;
+  request.colours = {"red", "blue"};
+  const TwoClasses classes(request, scene);
+  for (const KeptPoints kept : {KeptPoints::kOne, KeptPoints::kTwo, KeptPoints::kOneOfEachColour}) {
     for (const bool against : {false, true}) {
       Random random(against ? 3 : 2);
-      constexpr std::size_t kObjects = 24;
-      Field field(kObjects, kept, nullptr, against);
+      Field field(kObjects, kept, kept == KeptPoints::kOneOfEachColour ? &classes : nullptr,
+                  against);
       std::vector<ObjectId> away;
       for (ObjectId object = 0; object < kObjects; ++object) away.push_back(object);
       field.check(most_offers(kept));
+      int insertions_among_many = 0;
       for (int step = 0; step < 600; ++step) {
         SCOPED_TRACE(step);
         const bool growing = step / 100 % 2 == 0;
-        if (growing && !away.empty()) {
+        if (growing && !away.empty() && any(random, 3) == 0) {
           std::array<std::size_t, 3> places;
           for (std::size_t& place : places) place = any(random, field.size() + 1);
+          if (field.size() > 5) ++insertions_among_many;
           field.insert(away.back(), places);
           away.pop_back();
-        } else if (!growing && field.size() > 0 && step % 3 == 0) {
+        } else if (!growing && field.size() > 3 && any(random, 6) == 0) {
           away.push_back(field.at(any(random, field.size())));
           field.erase(away.back());
         } else if (field.size() > 1) {
           field.exchange(any(random, 3), any(random, field.size() - 1));
         }
+        if (step % 250 == 249) field.rebuild();
         field.check(most_offers(kept));
       }
+      EXPECT_GT(insertions_among_many, 30);
       while (field.size() > 0) field.erase(field.at(field.size() / 2));
       EXPECT_TRUE(field.offers().empty());
     }
