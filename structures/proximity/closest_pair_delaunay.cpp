@@ -36,8 +36,8 @@ bool ClosestPairDelaunay::put(const DelaunayEdge& edge, bool is_there) {
   return is_there ? pairs_.come(edge) : pairs_.go(edge);
 }
 
-// All that was touched is read after a change that does not change single edges or contradicts the edges
-// known. A change of the closest pair is reported when the instant is over, for certificates of this
+// What was touched is looked at after a change that is not one of single edges, and all edges after one that
+// contradicts those known. A change of the closest pair is reported when the instant is over, for certificates of this
 // structure may fail at the same instant.
 void ClosestPairDelaunay::follow(const std::optional<DelaunayEdgeChange>& change) {
   const bool followed = change && (!change->gone || put(*change->gone, false)) &&

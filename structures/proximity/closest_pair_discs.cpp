@@ -94,8 +94,8 @@ void ClosestPairDiscs::rebuild() {
   events_.begin(closest());
 }
 
-// All that was touched is read after an event that does not change single edges or contradicts the edges
-// known.
+// What was touched is looked at after an event that is not one of single edges, and all edges after one that
+// contradicts those known.
 void ClosestPairDiscs::watched_changed(const Event* event) {
   const auto change = graph_.told(event);
   const bool followed = change && (!change->gone || edges_.go(*change->gone)) &&
