@@ -139,7 +139,8 @@ class Simulator final : private EventReporter {
 
   // ---- changes from outside, at a rational instant t >= the time run so far ---------------------
   // From t on these changes replace the scene's own flight plans for the object. The functions
-  // throw std::invalid_argument if t has passed or is after the scene's end. A change that turns
+  // throw std::invalid_argument if t has passed or is after the scene's end, or if a structure is laid out
+  // for the scene's own flight plans (Structure::takes_other_plans). A change that turns
   // out to be impossible (the insertion of an object that is alive) makes run_until() throw.
 
   // A flight-plan change; if the position is not continuous at t, an erasure and an insertion.
@@ -258,6 +259,8 @@ class Simulator final : private EventReporter {
   void plan_changes();
   int degree_read(const Trajectory& trajectory) const;
   void check_trajectory(const Trajectory& trajectory) const;
+  // The same of a motion from outside.
+  void check_given(const Trajectory& trajectory) const;
   void queue_change(Change change);
   const Rational* next_change() const {
     return next_change_ < changes_.size() ? &changes_[next_change_].t : nullptr;

@@ -30,6 +30,16 @@ void Simulator::check_trajectory(const Trajectory& trajectory) const {
   }
 }
 
+void Simulator::check_given(const Trajectory& trajectory) const {
+  check_trajectory(trajectory);
+  for (const Entry& entry : entries_) {
+    if (entry.structure->takes_other_plans()) continue;
+    throw std::invalid_argument(
+        std::string(entry.structure->name()) +
+        " is laid out for the flight plans of the scene: put the motion there");
+  }
+}
+
 void Simulator::put_in_force(ObjectId object, const Trajectory& trajectory,
                              const std::optional<Rational>& until) {
   kernel_.set_motion(object, trajectory, until);
@@ -101,13 +111,13 @@ void Simulator::queue_change(Change change) {
 }
 
 void Simulator::schedule_update(const Rational& t, ObjectId object, Trajectory trajectory) {
-  check_trajectory(trajectory);
+  check_given(trajectory);
   auto given = std::make_shared<const Trajectory>(std::move(trajectory));
   queue_change({t, Change::Kind::kUpdate, object, given.get(), {}, false, given});
 }
 
 void Simulator::schedule_insertion(const Rational& t, ObjectId object, Trajectory trajectory) {
-  check_trajectory(trajectory);
+  check_given(trajectory);
   auto given = std::make_shared<const Trajectory>(std::move(trajectory));
   queue_change({t, Change::Kind::kInsert, object, given.get(), {}, false, given});
 }

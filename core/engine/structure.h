@@ -107,6 +107,9 @@ class Structure {
 
   // The largest degree of motion that it can maintain.
   virtual int largest_motion_degree() const { return std::numeric_limits<int>::max(); }
+  // False: the structure is laid out for the flight plans of the scene, and no motion that is not in them can be
+  // given to an object during the run (Simulator::schedule_update, schedule_insertion).
+  virtual bool takes_other_plans() const { return true; }
 
   virtual Attribute attribute() const = 0;
   // The attribute as reported by external events so far. Within an instant it differs from

@@ -145,16 +145,19 @@ ObjectId PointGridLines::line(std::size_t axis, const Rational& at) {
 
 void PointGridLines::lay(std::size_t cells) {
   const Layout layout = LayoutSearch(box_).best(cells);
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    Axis& axis = axes_[i];
+  for (Axis& axis : axes_) {
     axis.lines.clear();
     axis.at.clear();
-    if (layout.side.sign() == 0) continue;  // all points are at one place
-    Rational unit;
-    Rational width = rounded_up(std::max(layout.side, box_.diameter), unit);
-    if (!(box_.diameter < width)) width += unit;
-    Rational at = rounded_down(box_.low[i] + width, unit);
-    for (std::size_t k = 1; k < layout.count[i] && at < box_.high[i]; ++k, at += width) {
+  }
+  width_ = Rational();
+  if (layout.side.sign() == 0) return;  // all points are at one place
+  Rational unit;
+  width_ = rounded_up(std::max(layout.side, box_.diameter), unit);
+  if (!(box_.diameter < width_)) width_ += unit;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    Axis& axis = axes_[i];
+    Rational at = rounded_down(box_.low[i] + width_, unit);
+    for (std::size_t k = 1; k < layout.count[i] && at < box_.high[i]; ++k, at += width_) {
       axis.lines.push_back(line(i, at));
       axis.at.push_back(at);
     }

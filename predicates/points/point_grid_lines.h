@@ -40,6 +40,8 @@ class PointGridLines {
   std::size_t axes() const { return axes_.size(); }
   // Those across this axis, ascending: line k is between columns k and k + 1. Valid until lay().
   std::span<const ObjectId> of(std::size_t axis) const { return axes_[axis].lines; }
+  // W; 0 where all points are at one place at all times: there are no lines then.
+  const Rational& width() const { return width_; }
   // For audits: a coordinate is within this column, sides included.
   bool is_in_column(std::size_t axis, std::int64_t column, const Rational& x) const;
   std::size_t bytes() const;
@@ -55,6 +57,7 @@ class PointGridLines {
   Kernel& kernel_;
   FlightBox box_;
   std::vector<Axis> axes_;
+  Rational width_;
 };
 
 }  // namespace kinex

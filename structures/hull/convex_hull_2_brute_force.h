@@ -67,6 +67,8 @@ class ConvexHull2BruteForce final : public HullSource {
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
   void check_invariants(AuditReport& report) const override;
+  // A hull that winds around twice turns left everywhere, too: after the scene's end it may do so.
+  bool holds_at(const Snapshot& snapshot) const override;
   std::size_t bytes() const override;
 
  private:

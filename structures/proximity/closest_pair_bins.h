@@ -25,7 +25,8 @@
 // to another cell renews O(log n) certificates for each pair that comes or goes. The grid is laid
 // anew when there are no more points than squares, or more than four times as many.
 //
-// Requires a scene with an end: otherwise there is no box.
+// Requires a scene with an end: otherwise there is no box. The box is that of the scene's own flight plans, so
+// Simulator refuses others during the run.
 //
 // Ties. Of pairs whose distances are identically equal the lexicographically smallest one.
 //
@@ -67,6 +68,9 @@ class ClosestPairBins final : public FrontPair<PairDistances> {
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  // After the scene's end points may be beyond the box.
+  bool holds_at(const Snapshot& snapshot) const override { return grid_.has_small_cells(snapshot); }
+  bool takes_other_plans() const override { return false; }
   std::size_t bytes() const override;
 
  private:

@@ -21,7 +21,8 @@
 // disc_pairs_all. The grid is laid anew when there are more than twice as many discs as cells were
 // asked for, or fewer than a quarter.
 //
-// Requires a scene with an end: otherwise there is no box, and no largest diameter.
+// Requires a scene with an end: otherwise there is no box, and no largest diameter. Both are those of the
+// scene's own flight plans, so Simulator refuses others during the run.
 //
 // Ties. Discs are closed: two that touch identically meet. A centre on a line identically is in
 // either cell, since cells are wider than they have to be.
@@ -68,6 +69,9 @@ class DiscPairsGrid final : public Structure {
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  // After the scene's end discs may be larger than cells are wide.
+  bool holds_at(const Snapshot& snapshot) const override { return grid_.is_wide_enough(snapshot); }
+  bool takes_other_plans() const override { return false; }
   std::size_t bytes() const override;
 
  private:

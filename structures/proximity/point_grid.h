@@ -56,6 +56,11 @@ class PointGrid {
 
   void visit_proof(ProofVisitor& visitor) const;
   void check(AuditReport& report) const;
+  // At exact positions, which may be beyond the box, after the scene's end: no two points of a cell are
+  // farther apart than 5/4 W on an axis, or there are no lines. So they are less than 2W apart in the plane.
+  bool has_small_cells(const Snapshot& snapshot) const;
+  // No two of these discs touch that are two columns apart or more; or there are no lines.
+  bool is_wide_enough(const Snapshot& snapshot) const;
   // The points are in their cells, at exact positions.
   void audit(const Snapshot& snapshot, AuditReport& report) const;
   std::size_t bytes() const;

@@ -36,9 +36,34 @@ Scene space() {
   return scene;
 }
 
+// Points far apart meet nobody, and are near nobody that they were compared with.
+Scene beyond_the_box() {
+  return scene_of({path({{0}, {0}}), path({{61}, {0}}), path({{62, 100}, {0}}),
+                   path({{64, 300}, {0}}), path({{67, 900}, {0}})},
+                  0, ratio(1, 100));
+}
+
+// A pentagon that becomes a pentagram of the same left turns: each corner goes to twice its angle.
+Scene pentagram() {
+  return scene_of({path({{10, 0}, {0, 0}}), path({{3, -11}, {9, -3}}), path({{-8, 11}, {6, -15}}),
+                   path({{-8, 11}, {-6, 15}}), path({{3, -11}, {-9, 3}})},
+                  0, ratio(1, 100));
+}
+
+// Two discs of different columns meet when one has become large; those beside them have left their way.
+Scene larger_than_a_cell() {
+  Scene scene = scene_of({path({{0}, {0}, {1, 100}}), path({{60}, {0}, {1}}),
+                          path({{61}, {3}, {1}}), path({{63}, {0}, {1}}), path({{65}, {3}, {1}})},
+                         0, ratio(1, 100));
+  scene.dimension = 2;
+  scene.extents = Extents::kRadius;
+  return scene;
+}
+
 TEST(AfterTheEnd, CertificatesThatHoldAgainProveNothing) {
   int runs = 0;
-  for (const Scene& base : {plane(), space()}) {
+  for (const Scene& base :
+       {plane(), space(), beyond_the_box(), pentagram(), larger_than_a_cell()}) {
     for (const StructureInfo& info : structure_infos()) {
       if (refusal_of(info, base)) continue;
       Scene scene = base;
