@@ -134,6 +134,7 @@ void BichromaticPairMaximumNorm::check_invariants(AuditReport& report) const {
 }
 
 void BichromaticPairMaximumNorm::audit(const Snapshot& snapshot, AuditReport& report) const {
+  offers_.audit(snapshot, report);
   const auto pair = static_nearest_maximum_norm(
       snapshot, [this](ObjectId a, ObjectId b) { return classes_.differ(a, b); });
   report.check(pair == attribute().ids, [] { return "another pair is the nearest"; });

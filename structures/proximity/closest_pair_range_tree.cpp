@@ -102,6 +102,7 @@ void ClosestPairRangeTree::check_invariants(AuditReport& report) const {
 }
 
 void ClosestPairRangeTree::audit(const Snapshot& snapshot, AuditReport& report) const {
+  offers_.audit(snapshot, report);
   check_closest_pairs(
       snapshot, attribute().ids, [this](const Pair& pair) { return pairs_.has(pair); }, report);
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "structures/proximity/static_order_audit.h"
+
 namespace kinex {
 
 // A cone by three orders, each along an axis or against it.
@@ -185,6 +187,15 @@ void ConeOffers::check(AuditReport& report) const {
                  [] { return "labels that are out of date"; });
   }
   for (const auto& tree : trees_) tree->check(report);
+}
+
+void ConeOffers::audit(const Snapshot& snapshot, AuditReport& report) const {
+  for (std::size_t i = 0; i < kOctantAxes; ++i) {
+    const auto axis = static_cast<OctantAxis>(i);
+    report.check(lists_[i].items() == static_order(snapshot, axis), [axis] {
+      return std::string("the order differs from a sorted list, by ") + octant_axis_name(axis);
+    });
+  }
 }
 
 std::size_t ConeOffers::bytes() const {

@@ -82,6 +82,8 @@ class ConeOffers {
   // On events of the kind "order" without flight-plan changes.
   static BoundCheck bound_on_exchanges(std::string_view structure, const BoundContext& context);
   void check(AuditReport& report) const;
+  // The lists against the points sorted at exact positions.
+  void audit(const Snapshot& snapshot, AuditReport& report) const;
   std::size_t bytes() const;
 
  private:

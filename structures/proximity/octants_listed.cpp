@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "structures/proximity/static_order_audit.h"
+
 namespace kinex {
 
 OctantsListed::OctantsListed(Kernel& kernel, StructureId id, const Scene& scene)
@@ -162,6 +164,16 @@ void OctantsListed::check_invariants(AuditReport& report) const {
   }
   report.check(!waits_[0] && !waits_[1], [] { return "a wood still waits"; });
   check_woods(report);
+}
+
+void OctantsListed::audit(const Snapshot& snapshot, AuditReport& report) const {
+  ConeNeighbours::audit(snapshot, report);
+  for (std::size_t i = 0; i < kOctantAxes; ++i) {
+    const auto axis = static_cast<OctantAxis>(i);
+    report.check(lists_[i].items() == static_order(snapshot, axis), [axis] {
+      return std::string("the order differs from a sorted list, by ") + octant_axis_name(axis);
+    });
+  }
 }
 
 std::size_t OctantsListed::bytes() const {

@@ -64,6 +64,7 @@ class OctantsListed final : public ConeNeighbours {
   void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override;
 
  private:

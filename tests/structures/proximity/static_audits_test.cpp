@@ -13,6 +13,7 @@
 #include "structures/proximity/static_closest_pair_audit.h"
 #include "structures/proximity/static_forest_audit.h"
 #include "structures/proximity/static_meetings_audit.h"
+#include "structures/proximity/static_order_audit.h"
 #include "tests/structures/proximity/meetings_support.h"
 
 namespace kinex::test {
@@ -27,6 +28,20 @@ TEST(StaticAudits, TiesOfATreeGoToSmallerIds) {
     grid.set(i, 1, Rational(static_cast<int>(i) / 3));
   }
   EXPECT_EQ(static_spanning_tree(grid), (Ids{0, 1, 0, 3, 1, 2, 1, 4, 2, 5, 3, 6, 4, 7, 5, 8}));
+}
+
+// Level points as after a turn, equal ones by id, and one that is not alive.
+TEST(StaticAudits, TheFourOrdersOfALattice) {
+  Snapshot grid(Rational(0), 2, 2, 11);
+  for (ObjectId i = 0; i < 9; ++i) {
+    grid.set(i, 0, Rational(static_cast<int>(i) % 3));
+    grid.set(i, 1, Rational(static_cast<int>(i) / 3));
+  }
+  for (const int axis : {0, 1}) grid.set(10, axis, Rational(1));  // as 4
+  EXPECT_EQ(static_order(grid, kAlongX), (Ids{6, 3, 0, 7, 4, 10, 1, 8, 5, 2}));
+  EXPECT_EQ(static_order(grid, kAlongY), (Ids{0, 1, 2, 3, 4, 10, 5, 6, 7, 8}));
+  EXPECT_EQ(static_order(grid, kAlongSum), (Ids{0, 3, 1, 6, 4, 10, 2, 7, 5, 8}));
+  EXPECT_EQ(static_order(grid, kAlongDifference), (Ids{6, 7, 3, 8, 4, 10, 0, 5, 1, 2}));
 }
 
 // Parallel edges, a loop, two parts.
