@@ -3,6 +3,7 @@
 #ifndef KINEX_TESTS_STRUCTURES_TEST_SCENES_H
 #define KINEX_TESTS_STRUCTURES_TEST_SCENES_H
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <random>
@@ -125,9 +126,15 @@ inline Trajectory continued(const Trajectory& before, Trajectory next, const Rat
   return next;
 }
 
+// The instants of flight plans: multiples of 1/4, of which many are shared, or, of each object, multiples
+// of 1/7, of 1/11 or of 1/13, of which few are.
+enum class PlanInstants { kQuarters, kOddParts };
+
 // Objects on one scene's time 0 .. 4 with random flight plans: pieces that join, lives that begin
 // late and end early, and pairs with equal motions.
-inline Scene random_flights(std::uint64_t seed, int n, int dimension, int degree, bool lives) {
+inline Scene random_flights(std::uint64_t seed, int n, int dimension, int degree, bool lives,
+                            PlanInstants instants = PlanInstants::kQuarters) {
+  constexpr std::array<int, 3> kParts{7, 11, 13};
   Random random(seed);
   Scene scene;
   scene.name = "flights";
@@ -136,15 +143,17 @@ inline Scene random_flights(std::uint64_t seed, int n, int dimension, int degree
   scene.end = Rational(4);
   for (int i = 0; i < n; ++i) {
     std::vector<Rational> cuts;
-    const int pieces = random.between(1, 3);
-    int at = lives && random.chance(30) ? random.between(1, 8) : 0;
-    const int stop = lives && random.chance(30) ? random.between(at + 1, 16) : 16;
-    cuts.emplace_back(Integer(at), Integer(4));
+    const int parts = instants == PlanInstants::kQuarters
+                          ? 4
+                          : kParts[static_cast<std::size_t>(random.between(0, 2))];
+    const auto instant = [parts](int k) { return Rational(Integer(k), Integer(parts)); };
+    const int pieces = random.between(1, 3), last = 4 * parts;
+    int at = lives && random.chance(30) ? random.between(1, 2 * parts) : 0;
+    const int stop = lives && random.chance(30) ? random.between(at + 1, last) : last;
+    cuts.push_back(instant(at));
     for (int p = 1; p < pieces; ++p) {
       at = random.between(at, stop);
-      if (Rational(Integer(at), Integer(4)) > cuts.back() && at < stop) {
-        cuts.emplace_back(Integer(at), Integer(4));
-      }
+      if (instant(at) > cuts.back() && at < stop) cuts.push_back(instant(at));
     }
     SceneObject object;
     object.id = name_of(static_cast<std::size_t>(i));
@@ -156,7 +165,7 @@ inline Scene random_flights(std::uint64_t seed, int n, int dimension, int degree
                 .trajectory;
       }
       if (p > 0) t = continued(object.motion.pieces.back().trajectory, t, cuts[p]);
-      const Rational to = p + 1 < cuts.size() ? cuts[p + 1] : Rational(Integer(stop), Integer(4));
+      const Rational to = p + 1 < cuts.size() ? cuts[p + 1] : instant(stop);
       object.motion.pieces.push_back({cuts[p], to, t});
     }
     scene.objects.push_back(std::move(object));

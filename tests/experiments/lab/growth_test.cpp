@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <span>
 
 #include "experiments/lab/power_verdict.h"
 
@@ -184,6 +185,26 @@ TEST(JudgePower, FourExactCountsOnNoLawRefute) {
   EXPECT_LT(found.corrected->lower, 2) << found.observed;
   EXPECT_EQ(found.verdict, lab::Verdict::kRefuted) << found.observed;
   EXPECT_THAT(found.observed, HasSubstr("too few sizes"));
+}
+
+// A term of order n^(b - 1/3) and one of order n^(b - 1/2) explain the counts, with exponents far apart.
+TEST(JudgePower, AnOrderThatIsNotKnownMustNotDecide) {
+  static constexpr double kOthers[] = {1.0 / 2, 2.0 / 3, 1};
+  const auto judge = [](const Count& law, double order, std::span<const double> others) {
+    return lab::judge_power(points_of(law, 0.003, 1), {4.0 / 3, 0.05, false, order, others}, "n");
+  };
+  const auto bent = [](double n) { return std::pow(n, 4.0 / 3) * std::exp(-3 / std::cbrt(n)); };
+  EXPECT_EQ(judge(bent, 1.0 / 3, {}).verdict, lab::Verdict::kConfirmed);
+  const lab::PowerVerdict open = judge(bent, 1.0 / 3, kOthers);
+  EXPECT_EQ(open.verdict, lab::Verdict::kOpen) << open.observed;
+  EXPECT_THAT(open.observed, HasSubstr("not all within the tolerance"));
+  const auto nearly = [](double n) { return std::pow(n, 4.0 / 3) * (1 + 1 / n); };
+  const lab::PowerVerdict confirmed = judge(nearly, 1.0 / 3, kOthers);
+  EXPECT_EQ(confirmed.verdict, lab::Verdict::kConfirmed) << confirmed.observed;
+  EXPECT_THAT(confirmed.observed, HasSubstr("the order of the term is not known"));
+  // A refutation stays one.
+  EXPECT_EQ(judge([](double n) { return std::pow(n, 1.6); }, 1.0 / 3, kOthers).verdict,
+            lab::Verdict::kRefuted);
 }
 
 TEST(JudgePower, ThreeSizesLeaveNothingForATerm) {

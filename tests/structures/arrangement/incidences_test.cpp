@@ -12,6 +12,7 @@
 #include "tests/structures/arrangement/line_scenes.h"
 #include "tests/structures/arrangement/replayed_run.h"
 #include "tests/structures/metamorphic.h"
+#include "tests/structures/proximity/fresh_runs.h"
 
 namespace kinex::test {
 namespace incidences_test {
@@ -115,22 +116,16 @@ TEST(Incidences, RandomFlights) {
   EXPECT_GT(updates, test::seen_in_fewer(60u));
 }
 
-// From a rational instant on, a run goes on as a fresh one does whose scene begins there.
+// From any rational instant on, a run goes on as a fresh one does whose scene begins there.
 TEST(Incidences, AFreshRunFromTheMiddle) {
-  const Rational middle(Integer(11), Integer(5));
+  FreshRuns runs;
   for (std::uint64_t seed = 1; seed <= test::fewer(8u); ++seed) {
     SCOPED_TRACE(seed);
-    Scene scene = lined(random_flights(seed, 8, 2, 2, true), LineUse::kWithPoints);
-    const TwinRun whole(scene, incidences());
-    Scene late = scene;
-    late.start = middle;
-    const TwinRun fresh(late, incidences());
-    EXPECT_EQ(fresh.attribute(), whole.attribute());
-    scene.end = middle;
-    const TwinRun first(scene, incidences());
-    EXPECT_EQ(first.attribute(), fresh.begins_with);
-    EXPECT_EQ(first.ledger().external + fresh.ledger().external, whole.ledger().external);
+    const Scene scene =
+        lined(random_flights(seed, 8, 2, 2, true, plan_instants(seed)), LineUse::kWithPoints);
+    runs.expect_to_go_on(scene, incidences(), seed);
   }
+  runs.expect_changes();
 }
 
 // Object 0 is a line, object 1 a point.

@@ -10,6 +10,7 @@
 #include "tests/sanitized.h"
 #include "tests/structures/arrangement/line_scenes.h"
 #include "tests/structures/arrangement/replayed_run.h"
+#include "tests/structures/proximity/fresh_runs.h"
 
 namespace kinex::test {
 namespace points_in_arrangement_test {
@@ -142,22 +143,16 @@ TEST(PointsInArrangement, RandomFlights) {
   EXPECT_GT(changes, test::seen_in_fewer(60u));
 }
 
-// From a rational instant on, a run goes on as a fresh one does whose scene begins there.
+// From any rational instant on, a run goes on as a fresh one does whose scene begins there.
 TEST(PointsInArrangement, AFreshRunFromTheMiddle) {
-  const Rational middle(Integer(11), Integer(5));
+  FreshRuns runs;
   for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
     SCOPED_TRACE(seed);
-    Scene scene = lined(random_flights(seed, 9, 2, 2, true), LineUse::kWithPoints);
-    const TwinRun whole(scene, {ask(kName)});
-    Scene late = scene;
-    late.start = middle;
-    const TwinRun fresh(late, {ask(kName)});
-    EXPECT_EQ(fresh.attribute(), whole.attribute());
-    scene.end = middle;
-    const TwinRun first(scene, {ask(kName)});
-    EXPECT_EQ(first.attribute(), fresh.begins_with);
-    EXPECT_EQ(first.ledger().external + fresh.ledger().external, whole.ledger().external);
+    const Scene scene =
+        lined(random_flights(seed, 9, 2, 2, true, plan_instants(seed)), LineUse::kWithPoints);
+    runs.expect_to_go_on(scene, {ask(kName)}, seed);
   }
+  runs.expect_changes();
 }
 
 }  // namespace points_in_arrangement_test

@@ -87,8 +87,8 @@ inline Scene fan(int n, int dimension, Extents extents) {
 
 // Flights with extents: constants, and in every third object some that grow.
 inline Scene extended_flights(std::uint64_t seed, int n, int dimension, int degree, bool lives,
-                              Extents extents) {
-  Scene scene = random_flights(seed, n, dimension, degree, lives);
+                              Extents extents, PlanInstants instants = PlanInstants::kQuarters) {
+  Scene scene = random_flights(seed, n, dimension, degree, lives, instants);
   Random random(seed + 77);
   scene.extents = extents;
   for (SceneObject& object : scene.objects) {

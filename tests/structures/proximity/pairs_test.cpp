@@ -171,7 +171,6 @@ TEST(Pairs, WorstCaseOfTwoColours) {
     }
     const TwinRun run(scene, red_and_blue());
     EXPECT_EQ(run.ledger().external, static_cast<std::uint64_t>(n * m - 1));
-    if (n * m > 6) continue;
     EXPECT_EQ(run.sink.log.lines, TwinRun(scene, red_and_blue(), "sturm").sink.log.lines);
   }
 }

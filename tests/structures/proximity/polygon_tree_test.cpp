@@ -12,6 +12,7 @@
 #include "structures/proximity/cone_tree.h"
 #include "tests/sanitized.h"
 #include "tests/structures/metamorphic.h"
+#include "tests/structures/proximity/fresh_runs.h"
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
 #include "tests/structures/special_scenes.h"
@@ -126,22 +127,15 @@ TEST(PolygonTree, RandomFlights) {
   EXPECT_GT(updates, test::seen_in_fewer(5u));
 }
 
-// From a rational instant on, a run goes on as a fresh one does whose scene begins there.
+// From any rational instant on, a run goes on as a fresh one does whose scene begins there.
 TEST(PolygonTree, AFreshRunFromTheMiddle) {
-  const Rational middle(Integer(11), Integer(5));
-  for (std::uint64_t seed = 1; seed <= 1; ++seed) {
+  FreshRuns runs;
+  for (std::uint64_t seed = 1; seed <= test::fewer(2u); ++seed) {
     SCOPED_TRACE(seed);
-    Scene scene = random_flights(seed, 9, 2, 2, seed % 2 == 0);
-    const TwinRun whole(scene, trees(12));
-    Scene late = scene;
-    late.start = middle;
-    const TwinRun fresh(late, trees(12));
-    scene.end = middle;
-    const TwinRun first(scene, trees(12));
-    EXPECT_EQ(first.attribute(), fresh.begins_with);
-    EXPECT_EQ(first.ledger().external + fresh.ledger().external, whole.ledger().external);
-    EXPECT_EQ(fresh.attribute(), whole.attribute());
+    const Scene scene = random_flights(seed, 7, 2, 2, true, plan_instants(seed));
+    runs.expect_to_go_on(scene, trees(12), seed);
   }
+  runs.expect_changes();
 }
 
 TEST(PolygonTree, NoPointToThree) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -43,11 +44,16 @@ class ChangesSink final : public EventSink {
 };
 
 struct TwinRun {
-  // In an exact arithmetic everything is checked when the run is over.
-  TwinRun(Scene given, std::vector<Request> requests, const std::string& arithmetic = "exact")
+  // What there is right after an instant.
+  struct Stop {
+    std::vector<ObjectId> attribute;
+    std::uint64_t external;  // events so far
+  };
+  // In an exact arithmetic everything is checked when the run is over. It stops at `stops`, which ascend.
+  TwinRun(Scene given, std::vector<Request> requests, const std::string& arithmetic = "exact",
+          const std::vector<Rational>& stops = {}, AuditLevel audit = AuditLevel::kEvents)
       : scene(asking(std::move(given), std::move(requests))),
-        simulator(scene, planned_arithmetic(arithmetic, scene),
-                  Trial::options(AuditLevel::kEvents)),
+        simulator(scene, planned_arithmetic(arithmetic, scene), Trial::options(audit)),
         sink(simulator) {
     add_structures(simulator, scene);
     for (const Request& request : scene.maintain) {
@@ -58,6 +64,10 @@ struct TwinRun {
     simulator.set_sink(&sink);
     simulator.start();
     begins_with = attribute();
+    for (const Rational& stop : stops) {
+      simulator.run_until(stop);
+      at_stops.push_back({attribute(), ledger().external});
+    }
     simulator.run_until(std::nullopt);
     if (simulator.kernel().is_exact()) expect_clean();
   }
@@ -95,6 +105,7 @@ struct TwinRun {
   ChangesSink sink;
   std::vector<StructureId> ids;  // of what was asked for, in its order
   std::vector<ObjectId> begins_with;
+  std::vector<Stop> at_stops;
 };
 
 inline Request ask(std::string structure) {

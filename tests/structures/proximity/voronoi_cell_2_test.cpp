@@ -12,6 +12,7 @@
 #include "structures/registry.h"
 #include "tests/sanitized.h"
 #include "tests/structures/metamorphic.h"
+#include "tests/structures/proximity/fresh_runs.h"
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
 #include "tests/structures/special_scenes.h"
@@ -121,22 +122,15 @@ TEST(VoronoiCell2, RandomFlights) {
   EXPECT_GT(updates, test::seen_in_fewer(40u));
 }
 
-// From a rational instant on, a run goes on as a fresh one does whose scene begins there.
+// From any rational instant on, a run goes on as a fresh one does whose scene begins there.
 TEST(VoronoiCell2, AFreshRunFromTheMiddle) {
-  const Rational middle(Integer(11), Integer(5));
+  FreshRuns runs;
   for (std::uint64_t seed = 1; seed <= test::fewer(6u); ++seed) {
     SCOPED_TRACE(seed);
-    Scene scene = random_flights(seed, 9, 2, 2, seed % 2 == 0);
-    const TwinRun whole(scene, {cell_of(3)});
-    Scene late = scene;
-    late.start = middle;
-    const TwinRun fresh(late, {cell_of(3)});
-    scene.end = middle;
-    const TwinRun first(scene, {cell_of(3)});
-    EXPECT_EQ(first.attribute(), fresh.begins_with);
-    EXPECT_EQ(first.ledger().external + fresh.ledger().external, whole.ledger().external);
-    EXPECT_EQ(fresh.attribute(), whole.attribute());
+    const Scene scene = random_flights(seed, 9, 2, 2, true, plan_instants(seed));
+    runs.expect_to_go_on(scene, {cell_of(3)}, seed);
   }
+  runs.expect_changes();
 }
 
 TEST(VoronoiCell2, NoSiteToFour) {
