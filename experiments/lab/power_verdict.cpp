@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace kinex::lab {
 
@@ -33,14 +34,17 @@ void not_confirmed(PowerVerdict& result, const std::string& why) {
 
 double term_of(const ClaimedPower& claim, double n) { return std::pow(n, -claim.lower_order); }
 
-std::string law_text(const ClaimedPower& claim) {
-  return fmt::format("a n^b exp(c / n^{:.3g})", claim.lower_order);
+std::string law_text(double order) { return fmt::format("a n^b exp(c / n^{:.3g})", order); }
+
+// With a term that is smaller by n^order.
+std::optional<Fit> fit_with_term(std::span<const FitPoint> points, double order) {
+  return fit_power_with(law_text(order), points, [order](double n) { return std::pow(n, -order); });
 }
 
 // The fit with the term, added to the text; false for too few points.
 bool fit_term(PowerVerdict& result, std::span<const FitPoint> points, const ClaimedPower& claim,
               const std::string& x) {
-  result.corrected = fit_power_with(law_text(claim), points, [claim](double n) { return term_of(claim, n); });
+  result.corrected = fit_with_term(points, claim.lower_order);
   if (!result.corrected) return false;
   result.observed += fmt::format("; with a term of order {}^(b - {:.3g}): {}", x, claim.lower_order,
                                  interval_text(x, *result.corrected));
@@ -88,8 +92,9 @@ void reconsider(PowerVerdict& result, std::span<const FitPoint> points, const Cl
   if (fit.weighted) {
     const double most = std::min(fit.b, claim.exponent + claim.tolerance);
     const double nearest = claim.at_most ? most : std::max(most, claim.exponent - claim.tolerance);
-    const std::optional<Fit> claimed = fit_given_power_with(
-        nearest, law_text(claim), points, [claim](double n) { return term_of(claim, n); });
+    const std::optional<Fit> claimed =
+        fit_given_power_with(nearest, law_text(claim.lower_order), points,
+                             [claim](double n) { return term_of(claim, n); });
     refuted = claimed && is_improbable(*claimed);
     if (claimed) {
       result.observed +=
@@ -112,6 +117,31 @@ void narrow_down(PowerVerdict& result, std::span<const FitPoint> points, const C
   const Fit& fit = *result.corrected;
   if (fit.degrees < kFewestDegreesOfTerm || !is_narrower(fit, *result.fit)) return;
   if (compare(fit, claim) == Verdict::kConfirmed) result.verdict = Verdict::kConfirmed;
+}
+
+// A claim that is confirmed must not owe that to the order of the term.
+void try_other_orders(PowerVerdict& result, std::span<const FitPoint> points,
+                      const ClaimedPower& claim, const std::string& x) {
+  std::vector<double> orders(claim.other_orders.begin(), claim.other_orders.end());
+  orders.push_back(claim.lower_order);
+  std::sort(orders.begin(), orders.end());
+  bool is_within = true;
+  std::string exponents;
+  for (const double order : orders) {
+    const std::optional<Fit> fit = fit_with_term(points, order);
+    if (!fit) return not_confirmed(result, ", too few sizes for terms of other orders");
+    const bool is_explained = !is_improbable(*fit);
+    if (is_explained) {
+      is_within = is_within && fit->b <= claim.exponent + claim.tolerance &&
+                  (claim.at_most || fit->b >= claim.exponent - claim.tolerance);
+    }
+    exponents +=
+        fmt::format("{}{:.4f} (order {}^(b - {:.3g}), {}{})", exponents.empty() ? "" : ", ", fit->b,
+                    x, order, chi_square_text(*fit), is_explained ? "" : ", too large for chance");
+  }
+  result.observed += "; the order of the term is not known: exponents " + exponents;
+  if (is_within) return;
+  not_confirmed(result, ", not all within the tolerance");
 }
 
 }  // namespace
@@ -137,6 +167,7 @@ PowerVerdict judge_power(std::span<const FitPoint> points, const ClaimedPower& c
   if (!fit.weighted && fit.degrees + 2 < kFewestExactSizes) {
     not_confirmed(result, ", too few sizes");
   }
+  if (fit.weighted && !claim.other_orders.empty()) try_other_orders(result, points, claim, x);
   return result;
 }
 

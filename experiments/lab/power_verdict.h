@@ -19,6 +19,8 @@ struct ClaimedPower {
   // The term of lower order of a power that is not one alone: n^(exponent - lower_order). That of
   // n (n - 1), of a + b n, and of Delaunay events of points in a square is 1.
   double lower_order = 1;
+  // Other orders that the term may have as well, if it is not known: see below.
+  std::span<const double> other_orders = {};
 };
 
 struct PowerVerdict {
@@ -46,6 +48,9 @@ struct PowerVerdict {
 //     if its interval is narrower than that of the fit without it.)
 //   - where the interval of the fit is partly outside, without standard errors: confirmed if, from at
 //     least five points, the interval of the fit with the term is narrower and within the tolerance.
+// If the order of that term is not known (`other_orders` is not empty), and the points have standard errors,
+// fits with a term of each order are made. The claim stays confirmed only if every one that chance explains has
+// its exponent within the tolerance: a choice of the order must not decide.
 // Nothing is confirmed from fewer than three points (four without standard errors). `x` names the
 // variable.
 PowerVerdict judge_power(std::span<const FitPoint> points, const ClaimedPower& claim,

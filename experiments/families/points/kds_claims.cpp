@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "experiments/lab/claim_check.h"
@@ -182,6 +184,14 @@ lab::PaperClaim bound_claim(const std::vector<lab::SeriesResult>& results, const
   return claim;
 }
 
+std::vector<double> other_orders(double order) {
+  static constexpr double kOrders[] = {1.0 / 3, 1.0 / 2, 2.0 / 3, 1};
+  std::vector<double> others;
+  std::copy_if(std::begin(kOrders), std::end(kOrders), std::back_inserter(others),
+               [order](double one) { return one != order; });
+  return others;
+}
+
 lab::PaperClaim growth_claim(const std::vector<lab::FitPoint>& points, const KdsGrowth& growth) {
   lab::PaperClaim claim;
   claim.id = growth.id;
@@ -194,8 +204,13 @@ lab::PaperClaim growth_claim(const std::vector<lab::FitPoint>& points, const Kds
       at_least ? "b, b at least " : (is_bound ? "b, b at most " : ""), growth.exponent);
   claim.tolerance = fmt::format("{}, for all of the 95 % interval", kTolerance);
   keep_small_run(claim, growth.runs);
-  lab::PowerVerdict power = lab::judge_power(
-      points, {growth.exponent, kTolerance, is_bound, growth.lower_order}, "n");
+  const std::vector<double> others = other_orders(growth.lower_order);
+  lab::PowerVerdict power =
+      lab::judge_power(points,
+                       {growth.exponent, kTolerance, is_bound, growth.lower_order,
+                        growth.kind == KdsPower::kTheta ? std::span<const double>(others)
+                                                        : std::span<const double>()},
+                       "n");
   if (at_least) judge_at_least(power, growth.exponent);
   claim.verdict = power.verdict;
   claim.observed = power.observed;

@@ -72,6 +72,11 @@ struct KdsGrowth {
   KdsPower kind = KdsPower::kTheta;
   double lower_order = 1;  // lab::ClaimedPower
 };
+// The orders that a term of lower order of such a law may have, but for this one. The report does not name them:
+// the fraction of the points of a square that are near its boundary is n^(-1/2), in space n^(-1/3); n (n - 1)
+// and a + b n have a term that is smaller by n.
+std::vector<double> other_orders(double order);
+
 lab::PaperClaim growth_claim(const std::vector<lab::FitPoint>& points, const KdsGrowth& growth);
 
 // A question that the report leaves open, and what was observed: never confirmed.

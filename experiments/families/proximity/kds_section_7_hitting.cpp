@@ -2,15 +2,17 @@
 // Question: how many points hit all pairs of discs that meet, so that each two that meet have one of the
 //   points in common? (Guibas 1998, section 7: O(n^(5/3)) suffice, Omega(n^(4/3)) may be needed, and they
 //   can be taken from maximal cells; how to find them while discs move is open.)
-// Scenes: small-discs, as dense as there are many, so that the pairs that meet grow like n^2; random-discs,
-//   where they grow like n. At rational times.
-// Parameters: n from 12 to 96, 8 scenes of each at 5 times, in a quick run to 48 and 4 scenes. Times of one
-//   scene depend on each other: the errors are those of the means of scenes.
+// Scenes: small-discs, as dense as there are many, so that the pairs that meet grow like n^2: as they are,
+//   with fewer pairs than discs, and with radii 3 and 6 times as large, where a disc meets several others;
+//   random-discs, where the pairs grow like n. At rational times.
+// Parameters: n from 12 to 96, of the largest radii to 68; 8 scenes of each at 5 times; in a quick run 4
+//   scenes, n to 48, of the larger radii to 34. Times of one scene depend on each other: the errors are those
+//   of the means of scenes.
 // Method: exact. A largest set of discs with a common point has the centre of a disc or a crossing of two
 //   circles in common. A greedy choice: next the set that hits most pairs that are not hit yet.
-// Expected: nothing; a power of n is fitted. A greedy choice is at most a factor of 1 + log(pairs) above
-//   the smallest one.
-// Cost: seconds.
+// Expected: nothing; a power of n is fitted, and one of the number of pairs. A greedy choice is at most a
+//   factor of 1 + log(pairs) above the smallest one.
+// Cost: about a minute; --quick: seconds.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,6 +21,7 @@
 #include <cstdint>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,6 +31,7 @@
 #include "experiments/families/points/kds_claims.h"
 #include "experiments/families/proximity/experiments.h"
 #include "experiments/lab/claim_check.h"
+#include "experiments/lab/growth_words.h"
 #include "experiments/lab/scene_run.h"
 #include "experiments/lab/statistics.h"
 #include "experiments/lab/study_runs.h"
@@ -39,8 +43,20 @@ namespace kinex::families {
 namespace {
 
 constexpr const char* kHitDiscs = "disc_pairs_all";
-constexpr const char* kDense = "small-discs";
-constexpr const char* kSparse = "random-discs";
+
+struct HitScenes {
+  const char* id;
+  const char* title;  // in the table
+  const char* workload;
+  int factor;                  // of its radii
+  bool is_dense;               // the pairs grow like n^2, else like n
+  int largest, largest_quick;  // n
+};
+constexpr HitScenes kHitScenes[] = {
+    {"7.14.hitting", "small-discs", "small-discs", 1, true, 96, 48},
+    {"7.14.hitting-radii-3", "small-discs, radii x 3", "small-discs", 3, true, 96, 34},
+    {"7.14.hitting-radii-6", "small-discs, radii x 6", "small-discs", 6, true, 68, 34},
+    {"7.14.hitting-sparse", "random-discs", "random-discs", 1, false, 96, 48}};
 
 struct Disc {
   Rational x, y, r;
@@ -62,10 +78,10 @@ struct Place {
 
 Members discs_at(const std::vector<Disc>& discs, const Place& at) {
   Members inside;
+  const Rational aside = (at.u * at.u + at.v * at.v) * at.root;
   for (std::size_t k = 0; k < discs.size(); ++k) {
     const Rational x = at.x - discs[k].x, y = at.y - discs[k].y;
-    const Rational plain = x * x + y * y + (at.u * at.u + at.v * at.v) * at.root -
-                           discs[k].r * discs[k].r;
+    const Rational plain = x * x + y * y + aside - discs[k].r * discs[k].r;
     if (sign_of(plain, Rational(2) * (x * at.u + y * at.v), at.root) <= 0) inside.push_back(k);
   }
   return inside;
@@ -121,25 +137,52 @@ std::vector<Pair> pairs_of(const std::vector<Members>& sets) {
   return pairs;
 }
 
-// How many of the sets a greedy choice takes until every pair is in one of them.
-std::size_t greedy_points(const std::vector<Members>& sets, std::vector<Pair> left) {
-  std::size_t points = 0;
-  for (; !left.empty(); ++points) {
-    const auto hits = [&left](const Members& set) {
-      return std::count_if(left.begin(), left.end(), [&set](const Pair& pair) {
-        return std::binary_search(set.begin(), set.end(), pair.first) &&
-               std::binary_search(set.begin(), set.end(), pair.second);
-      });
-    };
-    const auto best = std::max_element(sets.begin(), sets.end(), [&](const Members& a, const Members& b) {
-      return hits(a) < hits(b);
-    });
-    std::erase_if(left, [&best](const Pair& pair) {
-      return std::binary_search(best->begin(), best->end(), pair.first) &&
-             std::binary_search(best->begin(), best->end(), pair.second);
-    });
+// How many of the sets a greedy choice takes until each of the pairs, which are those of the sets, is in one
+// of them. `discs`: their number.
+std::size_t greedy_points(const std::vector<Members>& sets, const std::vector<Pair>& pairs,
+                          std::size_t discs) {
+  std::vector<bool> is_hit(discs * discs, false);
+  const auto not_hit = [&is_hit, discs](const Members& set) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      for (std::size_t j = i + 1; j < set.size(); ++j) {
+        if (!is_hit[set[i] * discs + set[j]]) ++count;
+      }
+    }
+    return count;
+  };
+  std::size_t points = 0, left = pairs.size();
+  while (left > 0) {
+    std::size_t best = 0, most = 0;  // the first of those that hit most
+    for (std::size_t k = 0; k < sets.size(); ++k) {
+      const std::size_t count = not_hit(sets[k]);
+      if (count <= most) continue;
+      most = count;
+      best = k;
+    }
+    for (std::size_t i = 0; i < sets[best].size(); ++i) {
+      for (std::size_t j = i + 1; j < sets[best].size(); ++j) {
+        is_hit[sets[best][i] * discs + sets[best][j]] = true;
+      }
+    }
+    left -= most;
+    ++points;
   }
   return points;
+}
+
+// All radii, at all times.
+void enlarge(Scene& scene, int factor) {
+  if (factor == 1) return;
+  const auto radius = static_cast<std::size_t>(scene.dimension);  // its axis
+  for (SceneObject& object : scene.objects) {
+    for (MotionPiece& piece : object.motion.pieces) {
+      for (Rational& coefficient : piece.trajectory.coordinates[radius]) {
+        coefficient *= Rational(factor);
+      }
+    }
+  }
+  scene.name += fmt::format(", radii x {}", factor);
 }
 
 struct Hitting {
@@ -147,9 +190,10 @@ struct Hitting {
   std::size_t different = 0;  // pairs that the structure has and the sets have not, or the reverse
 };
 
-Hitting hit_at(const char* workload, int n, std::uint64_t seed, int times,
+Hitting hit_at(const HitScenes& kind, int n, std::uint64_t seed, int times,
                const std::function<bool()>& go_on, lab::StudyResult& study) {
-  const Scene scene = lab::generate_scene(workload, {.n = n, .seed = seed}, kHitDiscs);
+  Scene scene = lab::generate_scene(kind.workload, {.n = n, .seed = seed}, kHitDiscs);
+  enlarge(scene, kind.factor);
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
   const auto simulator = lab::make_simulator(scene, "exact", options);
@@ -174,18 +218,18 @@ Hitting hit_at(const char* workload, int n, std::uint64_t seed, int times,
     result.different += different.size();
     result.pairs.add(static_cast<double>(pairs.size()));
     result.sets.add(static_cast<double>(sets.size()));
-    result.points.add(static_cast<double>(greedy_points(sets, pairs)));
+    result.points.add(static_cast<double>(greedy_points(sets, pairs, discs.size())));
   }
   lab::check_run(*simulator, scene.name, study);
   return result;
 }
 
 // Of the means of scenes.
-Hitting hit(const char* workload, int n, int scenes, int times, const std::function<bool()>& go_on,
+Hitting hit(const HitScenes& kind, int n, int scenes, int times, const std::function<bool()>& go_on,
             lab::StudyResult& study) {
   Hitting result;
   for (int seed = 1; seed <= scenes && go_on(); ++seed) {
-    const Hitting one = hit_at(workload, n, static_cast<std::uint64_t>(seed), times, go_on, study);
+    const Hitting one = hit_at(kind, n, static_cast<std::uint64_t>(seed), times, go_on, study);
     result.pairs.add(one.pairs.mean());
     result.sets.add(one.sets.mean());
     result.points.add(one.points.mean());
@@ -195,26 +239,99 @@ Hitting hit(const char* workload, int n, int scenes, int times, const std::funct
 }
 
 // Columns of the study's table.
-constexpr std::size_t kScenes = 0, kDiscs = 1, kSets = 5, kPoints = 6, kError = 7, kDifferent = 8;
+constexpr std::size_t kScenes = 0, kDiscs = 1, kPairs = 4, kSets = 5, kPoints = 6, kError = 7,
+                      kDifferent = 8;
 
 // The least of the points over the maximal sets, of the sizes that have sets.
-double least_share(const lab::StudyResult& result, std::string_view workload) {
+double least_share(const lab::StudyResult& result, std::string_view title) {
   double least = 1;
   for (const std::vector<std::string>& row : result.table.rows) {
     const double sets = std::stod(row[kSets]);
-    if (row[kScenes] == workload && sets > 0)
-      least = std::min(least, std::stod(row[kPoints]) / sets);
+    if (row[kScenes] == title && sets > 0) least = std::min(least, std::stod(row[kPoints]) / sets);
   }
   return least;
 }
 
-std::vector<lab::FitPoint> points_of(const lab::StudyResult& result, std::string_view workload) {
+// The points over the column `under`.
+std::vector<lab::FitPoint> points_of(const lab::StudyResult& result, std::string_view title,
+                                     std::size_t under) {
   std::vector<lab::FitPoint> points;
   for (const std::vector<std::string>& row : result.table.rows) {
-    if (row[kScenes] != workload) continue;
-    points.push_back({std::stod(row[kDiscs]), std::stod(row[kPoints]), std::stod(row[kError])});
+    if (row[kScenes] != title) continue;
+    points.push_back({std::stod(row[under]), std::stod(row[kPoints]), std::stod(row[kError])});
   }
   return points;
+}
+
+// As lab::growth_words, but an interval that is nearer to the exponent than a term of lower order may move it
+// tells nothing.
+std::string hitting_words(const std::optional<lab::Fit>& power, double exponent, const char* law) {
+  constexpr double kMargin = 0.05;
+  const bool is_told = lab::growth_order(power, exponent + kMargin) == lab::GrowthOrder::kFaster ||
+                       lab::growth_order(power, exponent - kMargin) == lab::GrowthOrder::kSlower;
+  return lab::growth_words(is_told ? power : std::nullopt, exponent, law);
+}
+
+// What the two fits and the share of the sets that were chosen tell.
+std::string hitting_text(const HitScenes& kind, const lab::StudyResult& result,
+                         std::size_t different) {
+  const std::vector<lab::FitPoint> over_discs = points_of(result, kind.title, kDiscs);
+  const std::vector<lab::FitPoint> over_pairs = points_of(result, kind.title, kPairs);
+  const std::optional<lab::Fit> by_discs = lab::fit_power(over_discs);
+  std::optional<lab::Fit> by_pairs = lab::fit_power(over_pairs);
+  if (by_pairs) by_pairs->law = "a p^b";
+  const lab::FitPoint &first = over_pairs.front(), &last = over_pairs.back();
+  const double percent = std::floor(100 * least_share(result, kind.title));
+  std::string text =
+      (by_discs ? lab::fit_text(*by_discs) : "too few sizes") +
+      "; over the number p of pairs: " + (by_pairs ? lab::fit_text(*by_pairs) : "too few sizes") +
+      fmt::format("; p = {:.1f} at n = {:.0f}, {:.1f} at n = {:.0f}; {} pairs otherwise than in {}",
+                  first.n, over_discs.front().n, last.n, over_discs.back().n, different, kHitDiscs);
+  text += percent < 100
+              ? fmt::format(
+                    ". At least {:.0f} % of the maximal sets were chosen; a set is skipped if the "
+                    "others cover its pairs",
+                    percent)
+              : ". All maximal sets were chosen";
+  if (percent >= 95) text += ". The exponent is then nearly that of the number of these sets";
+  text += kind.is_dense ? fmt::format(". The points grow {}, and {}",
+                                      hitting_words(by_discs, 4.0 / 3, "n^(4/3)"),
+                                      hitting_words(by_discs, 5.0 / 3, "n^(5/3)"))
+                        : fmt::format(". The points grow {}", hitting_words(by_discs, 1, "n"));
+  text += fmt::format("; over the pairs they grow {}", hitting_words(by_pairs, 1, "p"));
+  if (last.count > 0) {
+    text += fmt::format(". At n = {:.0f} there are {:.1f} pairs for each point",
+                        over_discs.back().n, last.n / last.count);
+  }
+  return text +
+         ". The exponents are of these scenes, and say little about the bounds of the worst case";
+}
+
+std::string hitting_question(const HitScenes& kind) {
+  if (!kind.is_dense) {
+    return "How many points hit all pairs of n discs that meet, if the pairs grow like n?";
+  }
+  return fmt::format(
+      "How many points hit all pairs of n discs that meet, if the pairs grow like n^2{}? (The "
+      "report: O(n^(5/3)) suffice, Omega(n^(4/3)) may be needed.)",
+      kind.factor == 1 ? "" : fmt::format(", and the radii are {} times as large", kind.factor));
+}
+
+// The points over the number of pairs.
+lab::Figure pairs_figure(const lab::StudyResult& result) {
+  std::vector<lab::Curve> curves;
+  for (const HitScenes& kind : kHitScenes) {
+    lab::Curve curve{kind.title, points_of(result, kind.title, kPairs), ""};
+    if (const auto fit = lab::fit_power(curve.points)) curve.value = lab::power_value(*fit, "p");
+    curves.push_back(std::move(curve));
+  }
+  lab::Figure figure;
+  figure.title = "Points that hit all pairs of discs that meet, over the number of pairs";
+  figure.caption =
+      "A greedy choice at rational times; means of scenes with bars of two standard errors of the "
+      "points, and the power of the number p of pairs that fits, with its 95 % interval.";
+  lab::set_curves(figure, {"pairs p that meet", "points", true, true, {2.0 / 3, 1}}, curves);
+  return figure;
 }
 
 }  // namespace
@@ -226,18 +343,20 @@ lab::StudyResult study_hitting_sets(bool quick, const std::function<bool()>& go_
   result.table.header = {"scenes",       "discs",  "seeds",          "times",    "pairs",
                          "maximal sets", "points", "standard error", "different"};
   result.table.note =
-      "means of the means of scenes over the times; a maximal set: discs with a common point, to "
-      "which none can be added; "
+      "radii x 3, x 6: the scenes with radii that are so many times as large; means of the means "
+      "of "
+      "scenes over the times; a maximal set: discs with a common point, to which none can be "
+      "added; "
       "different: pairs that meet in disc_pairs_all and are in no set, or the reverse";
   const int scenes = quick ? 4 : 8, times = 5;
-  for (const char* const workload : {kDense, kSparse}) {
+  for (const HitScenes& kind : kHitScenes) {
     for (const int n : {12, 17, 24, 34, 48, 68, 96}) {
-      if (quick && n > 48) continue;
+      if (n > (quick ? kind.largest_quick : kind.largest)) continue;
+      const Hitting found = hit(kind, n, scenes, times, go_on, result);
       if (!go_on()) return result;
-      const Hitting found = hit(workload, n, scenes, times, go_on, result);
       result.table.rows.push_back(
-          {workload, std::to_string(n), std::to_string(scenes), std::to_string(times),
-           fmt::format("{:.1f}", found.pairs.mean()), fmt::format("{:.4f}", found.sets.mean()),
+          {kind.title, std::to_string(n), std::to_string(scenes), std::to_string(times),
+           fmt::format("{:.4f}", found.pairs.mean()), fmt::format("{:.4f}", found.sets.mean()),
            fmt::format("{:.4f}", found.points.mean()),
            fmt::format("{:.4f}", found.points.standard_error()), std::to_string(found.different)});
     }
@@ -251,36 +370,29 @@ lab::PartReport kds_section_7_hitting_report(const lab::StudyResult& result,
   std::size_t different = 0;
   for (const std::vector<std::string>& row : result.table.rows) different += std::stoul(row[kDifferent]);
   std::vector<lab::Curve> curves;
-  for (const char* const workload : {kDense, kSparse}) {
-    const std::vector<lab::FitPoint> points = points_of(result, workload);
-    const auto fit = lab::fit_power(points);
-    if (!fit) continue;
-    const bool dense = std::string_view(workload) == kDense;
-    lab::PaperClaim claim = open_question(
-        dense ? "7.14.hitting" : "7.14.hitting-sparse",
-        dense ? "How many points hit all pairs of n discs that meet, if the pairs grow like n^2? "
-                "(The report: O(n^(5/3)) suffice, Omega(n^(4/3)) may be needed.)"
-              : "How many points hit all pairs of n discs that meet, if the pairs grow like n?",
-        lab::fit_text(*fit) + fmt::format("; {} pairs otherwise than in {}", different, kHitDiscs) +
-            fmt::format(
-                ". The points are {:.0f} % of the maximal sets at least: a set is spared if "
-                "others have all its pairs. The exponent is of these scenes, and says little "
-                "about the bounds of the worst case",
-                std::floor(100 * least_share(result, workload))),
-        {kHitDiscs, workload});
+  for (const HitScenes& kind : kHitScenes) {
+    const std::vector<lab::FitPoint> points = points_of(result, kind.title, kDiscs);
+    if (points.empty()) continue;
+    lab::PaperClaim claim =
+        open_question(kind.id, hitting_question(kind), hitting_text(kind, result, different),
+                      {kHitDiscs, kind.workload});
     claim.place = "section 7";
     claim.command = command;
     claim.assumptions = {
         "a greedy choice among the maximal sets of discs with a common point, which is at most 1 + "
-        "log(pairs) "
-        "times the smallest one",
+        "log(pairs) times the smallest one",
         "crossings of circles are compared by square roots of our own, not by those of CGAL",
+        "over the pairs: points and pairs of the same scenes; the errors are those of the points",
         "random scenes, which say nothing of the worst case"};
+    if (kind.factor > 1) {
+      claim.assumptions.push_back(
+          "the second program is given the scenes with their own radii, which are smaller");
+    }
     claim.small_run = lab::small_run(std::move(claim.small_run));
     if (different > 0) claim.verdict = lab::Verdict::kRefuted;
     lab::refute_by_checks(result, claim);
     report.claims.push_back(std::move(claim));
-    curves.push_back({workload, points, ""});
+    curves.push_back({kind.title, points, ""});
   }
   if (curves.empty()) return report;
   report.figures.push_back(
@@ -289,7 +401,8 @@ lab::PartReport kds_section_7_hitting_report(const lab::StudyResult& result,
                     "errors, and the power of n that fits, "
                     "with its 95 % interval.",
                     "points", {1, 4.0 / 3, 5.0 / 3}, std::move(curves)));
-  report.figure_names = {"section-7-hitting"};
+  report.figures.push_back(pairs_figure(result));
+  report.figure_names = {"section-7-hitting", "section-7-hitting-pairs"};
   report.tables = lab::markdown(result.table);
   return report;
 }

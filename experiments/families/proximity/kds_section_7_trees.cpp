@@ -13,7 +13,10 @@
 // Cost: about 4 minutes; --quick: seconds.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -65,10 +68,115 @@ std::string power_text(const char* what, const std::vector<lab::FitPoint>& point
                      points.back().n, fit->b, fit->lower, fit->upper);
 }
 
-// The ratio of two counts of the runs of one structure for graphs.
-std::string graph_ratio_text(const std::vector<lab::SeriesResult>& results, const char* what,
-                             KdsRuns runs) {
-  return power_text(what, ratios_of(results, runs, "processed", "external", 1));
+// The runs of a structure for graphs, and how a sentence names it.
+struct NamedRuns {
+  const char* name;
+  KdsRuns runs;
+};
+constexpr NamedRuns kParallelEdges[] = {{"by order", kGraphList},
+                                        {"by cycles", kGraphCycles},
+                                        {"by clusters", kGraphClusters},
+                                        {"by sparsification", kGraphSparsified}};
+constexpr NamedRuns kRandomGraphs[] = {{"by order", kRandomGraphList},
+                                       {"by clusters", kRandomGraphClusters},
+                                       {"by sparsification", kRandomGraphSparsified},
+                                       {"by cycles", kRandomGraph}};
+constexpr NamedRuns kPlanarGraphs[] = {{"by clusters", kPlanarClusters},
+                                       {"by sparsification", kPlanarSparsified},
+                                       {"by cycles", kPlanarCycles}};
+
+std::vector<lab::FitPoint> events_per_change(const std::vector<lab::SeriesResult>& results,
+                                             KdsRuns runs, int dimension = 2) {
+  return ratios_of(results, runs, "processed", "external", dimension);
+}
+
+// "by order: 46.02 at n = 40, ..; by clusters: ..".
+std::string graph_ratio_text(const std::vector<lab::SeriesResult>& results,
+                             std::span<const NamedRuns> all) {
+  std::string text;
+  for (const NamedRuns& one : all) {
+    text +=
+        (text.empty() ? "" : "; ") + power_text(one.name, events_per_change(results, one.runs, 1));
+  }
+  return text;
+}
+
+// "; certificates at most: by order: 39 at n = 40, ..".
+std::string certificates_text(const std::vector<lab::SeriesResult>& results,
+                              std::span<const NamedRuns> all) {
+  std::string text;
+  for (const NamedRuns& one : all) {
+    text += text.empty() ? "; certificates at most: " : "; ";
+    text += power_text(one.name, means_of(results, one.runs, "max_live", 1));
+  }
+  return text;
+}
+
+// What is said of several structures, with the names of those that it is said of.
+using Told = std::vector<std::pair<std::string, std::string>>;
+
+void tell(Told& told, const std::string& words, const char* name) {
+  const auto known = std::find_if(told.begin(), told.end(),
+                                  [&words](const auto& one) { return one.first == words; });
+  if (known == told.end()) {
+    told.emplace_back(words, name);
+  } else {
+    known->second += fmt::format(", {}", name);
+  }
+}
+
+// "grow with n by order, by clusters; stay the same by cycles".
+std::string told_text(const Told& told) {
+  std::string text;
+  for (const auto& [words, names] : told) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", words, names);
+  }
+  return text;
+}
+
+// 1 if the whole interval of the exponent is above `exponent`, -1 if it is below, else 0. It is wider where a
+// power fits badly, so that chi squared does not matter for that.
+int side_of(const std::optional<lab::Fit>& fit, double exponent) {
+  if (!fit || fit->degrees < 2) return 0;
+  return fit->lower > exponent ? 1 : fit->upper < exponent ? -1 : 0;
+}
+
+constexpr const char* kRatioGrows = "grow with n";
+
+// Of the events for each change.
+std::string ratio_words(const std::vector<lab::FitPoint>& ratios) {
+  const std::optional<lab::Fit> fit = lab::fit_power(ratios);
+  if (fit && lab::is_exact(*fit) && std::fabs(fit->b) < 1e-9) return "stay the same";
+  const int side = side_of(fit, 0);
+  return side > 0 ? kRatioGrows : side < 0 ? "fall with n" : "are not told from a constant";
+}
+
+std::string ratios_told(const std::vector<lab::SeriesResult>& results,
+                        std::span<const NamedRuns> all) {
+  Told told;
+  for (const NamedRuns& one : all) {
+    tell(told, ratio_words(events_per_change(results, one.runs, 1)), one.name);
+  }
+  return "Events for a change " + told_text(told);
+}
+
+// How the certificates grow, and which structure has few of both.
+std::string certificates_told(const std::vector<lab::SeriesResult>& results,
+                              std::span<const NamedRuns> all) {
+  constexpr double kMargin = 0.05;  // a term of lower order moves the exponent by as much
+  Told told;
+  std::string both;
+  for (const NamedRuns& one : all) {
+    const auto fit = lab::fit_power(means_of(results, one.runs, "max_live", 1));
+    const bool is_faster = side_of(fit, 1 + kMargin) > 0;
+    tell(told, is_faster ? "faster than n" : "no faster than n, as far as these sizes tell,",
+         one.name);
+    if (is_faster || ratio_words(events_per_change(results, one.runs, 1)) == kRatioGrows) continue;
+    both += fmt::format("{}{}", both.empty() ? "" : ", ", one.name);
+  }
+  return "Certificates grow " + told_text(told) + ". " +
+         (both.empty() ? "No structure here has both" : "Both are seen " + both) +
+         ", events for a change that do not grow and certificates that grow no faster than n";
 }
 
 void add_norm_claims(const std::vector<lab::SeriesResult>& results, lab::PartReport& report) {
@@ -116,17 +224,11 @@ void add_polygon_claims(const std::vector<lab::SeriesResult>& results, lab::Part
       "The report has structures for a polyhedral metric, not necessarily efficient ones. Events "
       "for each change of the tree in the metric of a polygon of 12 corners, those of the cones "
       "included:",
-      power_text("by order, random motion",
-                 ratios_of(results, kPolygonList, "processed", "external")) +
+      power_text("by order, random motion", events_per_change(results, kPolygonList)) + "; " +
+          power_text("by cycles, random motion", events_per_change(results, kPolygonCycles)) +
           "; " +
-          power_text("by cycles, random motion",
-                     ratios_of(results, kPolygonCycles, "processed", "external")) +
-          "; " +
-          power_text("by order, pass-along-row",
-                     ratios_of(results, kPolygonListRow, "processed", "external")) +
-          "; " +
-          power_text("by cycles, pass-along-row",
-                     ratios_of(results, kPolygonRow, "processed", "external")) +
+          power_text("by order, pass-along-row", events_per_change(results, kPolygonListRow)) +
+          "; " + power_text("by cycles, pass-along-row", events_per_change(results, kPolygonRow)) +
           "; certificates: " +
           power_text("by order, at most", means_of(results, kPolygonList, "max_live")) + "; " +
           power_text("by cycles, at most", means_of(results, kPolygonCycles, "max_live")) +
@@ -156,22 +258,12 @@ void add_euclidean_claims(const std::vector<lab::SeriesResult>& results, lab::Pa
       "Is there an efficient structure for the Euclidean tree? Events for each change of the tree, "
       "the "
       "flips of the triangulation included:",
-      power_text("by order, random motion", ratios_of(results, kList, "processed", "external")) +
-          "; " +
-          power_text("by cycles, random motion",
-                     ratios_of(results, kCycles, "processed", "external")) +
-          "; " +
-          power_text("by clusters, random motion",
-                     ratios_of(results, kClusters, "processed", "external")) +
-          "; " +
-          power_text("by order, pass-along-row",
-                     ratios_of(results, kListRow, "processed", "external")) +
-          "; " +
-          power_text("by cycles, pass-along-row",
-                     ratios_of(results, kCyclesRow, "processed", "external")) +
-          "; " +
-          power_text("by clusters, pass-along-row",
-                     ratios_of(results, kClustersRow, "processed", "external")) +
+      power_text("by order, random motion", events_per_change(results, kList)) + "; " +
+          power_text("by cycles, random motion", events_per_change(results, kCycles)) + "; " +
+          power_text("by clusters, random motion", events_per_change(results, kClusters)) + "; " +
+          power_text("by order, pass-along-row", events_per_change(results, kListRow)) + "; " +
+          power_text("by cycles, pass-along-row", events_per_change(results, kCyclesRow)) + "; " +
+          power_text("by clusters, pass-along-row", events_per_change(results, kClustersRow)) +
           "; certificates: " +
           power_text("by order, at most", means_of(results, kList, "max_live")) + "; " +
           power_text("by cycles, at most", means_of(results, kCycles, "max_live")) +
@@ -181,14 +273,33 @@ void add_euclidean_claims(const std::vector<lab::SeriesResult>& results, lab::Pa
       kCyclesRow));
 }
 
+// The changes of the tree of two vertices, by each structure.
+lab::PaperClaim graph_lower_bound(const std::vector<lab::SeriesResult>& results) {
+  const auto count = [&results](KdsRuns runs) {
+    return count_claim(
+        results, {"7.11.lower",
+                  "The tree of a graph with n edges changes Omega(n) times (not in the report).",
+                  runs, "external", "changes, of two vertices", "n - 1 by each structure",
+                  [](double n, double) { return n - 1; }});
+  };
+  lab::PaperClaim claim = count(kGraphCycles);
+  Told told;
+  for (const NamedRuns& one : kParallelEdges) {
+    const lab::PaperClaim by_one = count(one.runs);
+    claim.verdict = std::max(claim.verdict, by_one.verdict);
+    tell(told, by_one.observed, one.name);
+  }
+  claim.observed.clear();
+  for (const auto& [words, names] : told) {
+    claim.observed += fmt::format("{}{}: {}", claim.observed.empty() ? "" : "; ", names, words);
+  }
+  return claim;
+}
+
 // `few_vertices`: the runs of random graphs of kFewVertices vertices, which are not among `results`.
 void add_graph_claims(const std::vector<lab::SeriesResult>& results,
                       const std::vector<lab::SeriesResult>& few_vertices, lab::PartReport& report) {
-  report.claims.push_back(count_claim(
-      results,
-      {"7.11.lower", "The tree of a graph with n edges changes Omega(n) times (not in the report).",
-       kGraphCycles, "external", "changes, of two vertices", "n - 1",
-       [](double n, double) { return n - 1; }}));
+  report.claims.push_back(graph_lower_bound(results));
   report.claims.push_back(growth_claim(
       means_of(results, kGraphCycles, "external", 1),
       {"7.11.as-printed",
@@ -197,26 +308,18 @@ void add_graph_claims(const std::vector<lab::SeriesResult>& results,
        kGraphCycles, "changes", 1.0 / 3, KdsPower::kOnAllMotion}));
   report.claims.back().counterexample =
       "n parallel edges between two vertices, each the lightest once: n - 1 changes. The report "
-      "has "
-      "its two letters the wrong way round; 7.11.upper is its bound with the letters exchanged, "
-      "that "
-      "of Dey's technique";
+      "has its "
+      "two letters the wrong way round; 7.11.upper is its bound with the letters exchanged, that "
+      "of "
+      "Dey's technique";
   report.claims.push_back(count_claim(
       results, {"7.11.cycles", "All failures of the proof by cycles change the tree (ours).",
                 kGraphCycles, "processed", "failures", "n - 1",
                 [](double n, double) { return n - 1; }}));
   report.claims.push_back(count_claim(
-      results, {"7.11.order", "The proof by order has all swaps of edges (ours).", kGraphList,
-                "processed", "failures", "n(n - 1)/2",
-                [](double n, double) { return n * (n - 1) / 2; }}));
-  for (const KdsRuns& runs : {kGraphClusters, kGraphSparsified}) {
-    report.claims.push_back(count_claim(
-        results,
-        {runs.structure == kGraphClusters.structure ? "7.11.lower-clusters"
-                                                    : "7.11.lower-sparsified",
-         "The tree of a graph with n edges changes Omega(n) times (not in the report).", runs,
-         "external", "changes, of two vertices", "n - 1", [](double n, double) { return n - 1; }}));
-  }
+      results,
+      {"7.11.order", "The proof by order has all swaps of edges (ours).", kGraphList, "processed",
+       "failures", "n(n - 1)/2", [](double n, double) { return n * (n - 1) / 2; }}));
   report.claims.push_back(agreement_claim(
       results, "7.11.same-changes",
       "The order of all edges proves the tree of a graph, and so do cycles, clusters of vertices, "
@@ -229,16 +332,9 @@ void add_graph_claims(const std::vector<lab::SeriesResult>& results,
       "How many events does a structure have for each change of the tree of a graph, of random "
       "weights, "
       "k = n/4?",
-      graph_ratio_text(results, "by order", kRandomGraphList) + "; " +
-          graph_ratio_text(results, "by clusters", kRandomGraphClusters) + "; " +
-          graph_ratio_text(results, "by sparsification", kRandomGraphSparsified) + "; " +
-          graph_ratio_text(results, "by cycles", kRandomGraph) + "; certificates: " +
-          power_text("by order, at most", means_of(results, kRandomGraphList, "max_live", 1)) +
-          "; " + power_text("by cycles, at most", means_of(results, kRandomGraph, "max_live", 1)) +
-          "; by clusters " +
-          power_text("at most", means_of(results, kRandomGraphClusters, "max_live", 1)) +
-          "; by sparsification " +
-          power_text("at most", means_of(results, kRandomGraphSparsified, "max_live", 1)),
+      graph_ratio_text(results, kRandomGraphs) + certificates_text(results, kRandomGraphs) + ". " +
+          ratios_told(results, kRandomGraphs) + ". " + certificates_told(results, kRandomGraphs) +
+          ". Random weights say nothing of the worst case",
       kRandomGraphClusters));
   // Of one ratio of k and n alone the report's letters and the exchanged ones give the same power.
   const auto add = [&](const std::vector<lab::SeriesResult>& of_these, const char* id,
@@ -268,29 +364,67 @@ void add_planar_claims(const std::vector<lab::SeriesResult>& results, lab::PartR
                      {id, statement, runs, "events", 11.0 / 6, KdsPower::kOnAllMotion}));
     report.claims.back().assumptions.push_back(
         "linear weights, of which any two cross once, as pseudolines do; the power without its "
-        "logarithms. The "
-        "structure is ours, after Agarwal, Eppstein, Guibas and Henzinger (1998), and not their "
-        "version for "
-        "planar graphs, which has a better bound than the report");
+        "logarithms. The structure is ours, after Agarwal, Eppstein, Guibas and Henzinger (1998), "
+        "and "
+        "not their version for planar graphs, which has a better bound than the report");
   };
   add("7.9.clusters",
       "The tree of a planar graph of n edges has a structure with O(n^(11/6) polylog n) events; by "
-      "clusters, of "
-      "random weights:",
+      "clusters, of random weights:",
       kPlanarClusters);
   add("7.9.sparsified",
       "The tree of a planar graph of n edges has a structure with O(n^(11/6) polylog n) events; by "
       "sparsification, of random weights:",
       kPlanarSparsified);
+  Told events;
+  for (const NamedRuns& one : kPlanarGraphs) {
+    const auto fit = lab::fit_power(means_of(results, one.runs, "processed", 1));
+    const int side = side_of(fit, 11.0 / 6);
+    tell(events,
+         side > 0   ? "faster than n^(11/6)"
+         : side < 0 ? "more slowly than n^(11/6)"
+                    : "at a rate that these sizes do not tell from that of n^(11/6)",
+         one.name);
+  }
   report.claims.push_back(
       open_question("7.9.efficient",
                     "The report takes fewer events to be probable. Events for each change of the "
                     "tree of a planar graph:",
-                    graph_ratio_text(results, "by clusters", kPlanarClusters) + "; " +
-                        graph_ratio_text(results, "by sparsification", kPlanarSparsified) + "; " +
-                        graph_ratio_text(results, "by cycles", kPlanarCycles) + "; " +
-                        power_text("changes", means_of(results, kPlanarCycles, "external", 1)),
+                    graph_ratio_text(results, kPlanarGraphs) + "; " +
+                        power_text("changes", means_of(results, kPlanarCycles, "external", 1)) +
+                        ". " + ratios_told(results, kPlanarGraphs) + ". Events grow " +
+                        told_text(events) + ". Random weights say nothing of the worst case",
                     kPlanarClusters));
+}
+
+// Events for each change where their numbers are known: of points along a row, and of parallel edges.
+void add_ratio_figures(const std::vector<lab::SeriesResult>& results, lab::PartReport& report) {
+  std::vector<lab::Curve> rows, edges;
+  for (const auto& [name, runs] :
+       {NamedRuns{"by the order of all edges", kListRow}, NamedRuns{"by cycles", kCyclesRow},
+        NamedRuns{"by clusters", kClustersRow}, NamedRuns{"maximum norm, by cycles", kNormRow},
+        NamedRuns{"polygon of 12 corners, by order", kPolygonListRow},
+        NamedRuns{"polygon of 12 corners, by cycles", kPolygonRow}}) {
+    rows.push_back({name, events_per_change(results, runs), ""});
+  }
+  for (const NamedRuns& one : kParallelEdges) {
+    edges.push_back({one.name, events_per_change(results, one.runs, 1), ""});
+  }
+  report.figures.push_back(growth_figure("Events for each change of a spanning tree along a row",
+                                         "Of pass-along-row, n points of each kind, where the "
+                                         "Euclidean tree changes 2n^2 - 2 times; exact "
+                                         "counts, flips of the triangulation or changes of the "
+                                         "cones included, and the power of n that "
+                                         "fits all sizes, with its 95 % interval.",
+                                         "events for a change", {0.5, 1}, std::move(rows)));
+  report.figure_names.push_back("section-7-trees-row");
+  report.figures.push_back(
+      growth_figure("Events for each change of the tree of parallel edges",
+                    "Of n parallel edges between two vertices, where the tree changes n - 1 times; "
+                    "exact counts, and "
+                    "the power of n that fits all sizes, with its 95 % interval.",
+                    "events for a change", {0.5, 1}, std::move(edges)));
+  report.figure_names.push_back("section-7-trees-edges");
 }
 
 }  // namespace
@@ -373,6 +507,7 @@ lab::PartReport kds_section_7_trees_report(const std::vector<lab::SeriesResult>&
       "two standard errors; the power of n that fits all sizes, with its 95 % interval.",
       "events", {1.5, 2, 2.5}, std::move(curves)));
   report.figure_names = {"section-7-trees"};
+  add_ratio_figures(results, report);
   finish_section_7(report, results, command);
   return report;
 }

@@ -7,8 +7,9 @@
 //   graphs, discs, boxes and lines their own.
 // Parameters: three scenes of a random workload; counts of failures and changes are means, of
 //   certificates at most: the sum of what each structure of a run had most.
-// Structures: those of three families, each on the scenes that it takes. What a run in excess of 20
-//   seconds would count is left out.
+// Structures: those of three families, each on the scenes that it takes; beside nearest_site the tournament of
+//   all sites by their squared distance to the same query, which maintains the same attribute. What a run in
+//   excess of 20 seconds would count is left out.
 // Output: see result_table.h; options: see bench_options.h. Every run is audited at its end.
 #include <algorithm>
 #include <array>
@@ -92,12 +93,21 @@ std::vector<Scenes> scenes_for(const StructureInfo& info) {
   return scenes;
 }
 
+// A structure with a key has the squared distance to the first object, which is the usual query of the others.
+void measure_from_first(Scene& scene, int /*k*/) {
+  Key& key = scene.maintain.front().key;
+  key.kind = Key::Kind::kSquaredDistance;
+  key.object = 0;
+}
+constexpr lab::SceneChange kFromFirst{"measured from the first", measure_from_first};
+
 // The runs of a structure on these scenes; none if it does not take them, or takes too long.
 lab::CellResult runs_of(const StructureInfo& info, const Scenes& scenes, int scale) {
   lab::CellResult result;
   lab::Cell& cell = result.cell;
   cell.structure = info.name;
   cell.workload = scenes.workload;
+  if (info.uses_key) cell.change = &kFromFirst;
   const lab::Workload* const workload = lab::find_workload(cell.workload);
   if (workload == nullptr) throw std::runtime_error("no workload " + cell.workload);
   cell.parameters.n = std::max({4, workload->min_n, scenes.n / scale});
@@ -148,10 +158,10 @@ void proximity(const lab::BenchOptions& options) {
       options, "proximity",
       "All structures of an attribute on the same scenes, in exact arithmetic. Failures "
       "of certificates and changes of the attribute are means. Certificates (all, of "
-      "one object, changed by an event): no run had more; where a structure reads "
-      "another one, the sum of what each had most. Both count structures that are read. Changed "
-      "by an event: by the repair of a failure; what is made when an instant is settled, or when "
-      "a structure that is read has changed, is not in it.",
+      "one object): no run had more; where a structure reads another one, the sum of what each "
+      "had most. Changed by an event: what the structure whose certificate fails makes and drops "
+      "in the repair; what is made when an instant is settled, or when a structure that is read "
+      "has changed, is not in it. Failures, and what they change, count structures that are read.",
       {{"attribute", lab::ResultTable::kText, 18},
        {"scenes", lab::ResultTable::kText, 24},
        {"n", 0, 4},
@@ -174,6 +184,9 @@ void proximity(const lab::BenchOptions& options) {
                               [&](const auto& entry) { return entry.first == name; });
     if (known == attributes.end()) known = attributes.insert(known, {name, {}});
     known->second.push_back(&info);
+  }
+  for (auto& [name, structures] : attributes) {
+    if (name == "nearest_site") structures.push_back(find_structure_info("minimum_tournament"));
   }
   for (const auto& [attribute, structures] : attributes) {
     std::vector<std::vector<Scenes>> scenes;
