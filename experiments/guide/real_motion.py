@@ -73,6 +73,19 @@ HEAD = ["structure", "changes", "certificate failures", "built anew", "most fail
         "of one object", "CPU s", "in doubles"]
 
 
+ABOUT = """
+Data: `hurricanes.csv` is made of HURDAT2, the best tracks of Atlantic storms of the US National Hurricane Center
+(https://www.nhc.noaa.gov/data/#hurdat; a work of the US government, in the public domain), all seasons laid over one year.
+`nearest_stars.csv` is computed from `SSData/Stars/Nearest.csv` of SSCore (https://github.com/timmyd7777/SSCore; free for any use): right
+ascension, declination, distance, proper motion and radial velocity as positions and velocities, equatorial, the Sun at the origin.
+
+"In doubles" is the same run in `double`, audited at its end, held against the exact run. "The same events": the same, in the same order,
+internal ones included. "Other events, and says so": events or their order differ, and the run ends with exit code 1, because the structure
+has found itself corrupt, or because the audit finds the attribute wrong at the end. "Other events, unnoticed at the end": events or their
+order differ, but the attribute at the end is right, so nothing is reported; wrong attributes before the end are not looked for.
+"""
+
+
 def table_of(rows):
     text = "| " + " | ".join(HEAD) + " |\n| --- |" + " ---: |" * (len(HEAD) - 2) + " --- |\n"
     return text + "".join("| " + " | ".join(map(str, row)) + " |\n" for row in rows)
@@ -105,7 +118,7 @@ def main():
         made = summary["provenance"]
         dirty = " with changes that are not committed" if made["dirty"] else ""
         text = (f"\nMade by `python3 experiments/guide/real_motion.py PROGRAM DATA`, {summary['build']} at {made['commit']}{dirty}, "
-                f"{made['compiler']}, flags `{made['flags']}`; {made['cpu']}. One core.\n" + text)
+                f"{made['compiler']}, flags `{made['flags']}`; {made['cpu']}. One core.\n" + ABOUT + text)
     page = PAGE.read_text()
     PAGE.write_text(MADE.sub(lambda found: found.group(1) + text + "\n" + found.group(2), page))
 
