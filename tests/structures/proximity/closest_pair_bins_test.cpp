@@ -4,15 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "structures/proximity/point_grid.h"
 #include "structures/registry.h"
 #include "tests/sanitized.h"
+#include "tests/structures/proximity/meetings_support.h"
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
+#include "tests/structures/test_run.h"
 
 namespace kinex::test {
 namespace closest_pair_bins_test {
@@ -108,6 +112,27 @@ TEST(ClosestPairBins, NeedsAnEnd) {
   ASSERT_TRUE(refusal);
   EXPECT_NE(refusal->problem.find("no end"), std::string::npos);
   EXPECT_NE(refusal->remedy.find("closest_pair_all"), std::string::npos);
+}
+
+// A motion that is not in the scene could leave the box, or make a disc larger than a cell.
+TEST(ClosestPairBins, GridsTakeNoPlansFromOutside) {
+  for (const char* const structure : {"closest_pair_bins", "disc_pairs_grid", "closest_pair_all"}) {
+    Scene scene = reference_scene(5, 2, 1);
+    Trajectory other = path({{1000}, {0}});
+    if (std::string_view(structure) == "disc_pairs_grid") {
+      scene = extended_reference(5, 2, 1, Extents::kRadius);
+      other.coordinates.push_back({1});
+    }
+    Trial run(scene, structure);
+    run.erase(Rational(1), 0);
+    if (std::string_view(structure) == "closest_pair_all") {
+      run.insert(Rational(2), 0, other);
+    } else {
+      EXPECT_THROW(run.insert(Rational(2), 0, other), std::invalid_argument);
+      EXPECT_THROW(run.simulator.schedule_update(Rational(2), 1, other), std::invalid_argument);
+    }
+    run.to_end().expect_clean();
+  }
 }
 
 }  // namespace closest_pair_bins_test
