@@ -3,6 +3,7 @@
 // of the positions.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -132,6 +133,26 @@ TEST(StaticAudits, AnAuditSeesAWrongAttribute) {
     structure.audit(run.simulator.snapshot(scene.start), wrong);
     EXPECT_EQ(right.violations, std::vector<std::string>{});
     EXPECT_FALSE(wrong.violations.empty());
+  }
+}
+
+// At the positions of the start all four orders are others.
+TEST(StaticAudits, AnAuditSeesAWrongOrder) {
+  Scene scene = reference_scene(8, 2, 1);
+  for (std::size_t i = 0; i < 8; ++i) scene.objects[i].colour = i % 2 == 0 ? "red" : "blue";
+  scene.end = *scene.end - Rational(Integer(1), Integer(97));
+  for (const char* const name :
+       {"octants_listed", "closest_pair_range_tree", "bichromatic_pair_maximum_norm"}) {
+    SCOPED_TRACE(name);
+    Request request = ask(name);
+    if (std::string(name).starts_with("bichromatic")) request.colours = {"red", "blue"};
+    const TwinRun run(scene, {request});
+    AuditReport wrong;
+    run.simulator.structure(run.ids[0]).audit(run.simulator.snapshot(scene.start), wrong);
+    for (const char* const axis : {"x", "y", "x + y", "x - y"}) {
+      const std::string said = std::string("the order differs from a sorted list, by ") + axis;
+      EXPECT_EQ(std::count(wrong.violations.begin(), wrong.violations.end(), said), 1) << axis;
+    }
   }
 }
 
