@@ -36,7 +36,8 @@ Scene space() {
   return scene;
 }
 
-// Points far apart meet nobody, and are near nobody that they were compared with.
+// After the end the points are spread over many times the box of the scene: two in one cell of its grid may be
+// farther apart than two in distant cells.
 Scene beyond_the_box() {
   return scene_of({path({{0}, {0}}), path({{61}, {0}}), path({{62, 100}, {0}}),
                    path({{64, 300}, {0}}), path({{67, 900}, {0}})},
@@ -50,7 +51,7 @@ Scene pentagram() {
                   0, ratio(1, 100));
 }
 
-// Two discs of different columns meet when one has become large; those beside them have left their way.
+// After the end one disc is larger than a cell of the grid: it meets discs that are several columns away.
 Scene larger_than_a_cell() {
   Scene scene = scene_of({path({{0}, {0}, {1, 100}}), path({{60}, {0}, {1}}),
                           path({{61}, {3}, {1}}), path({{63}, {0}, {1}}), path({{65}, {3}, {1}})},
