@@ -70,8 +70,8 @@ bool RootNamer::name(std::vector<Integer>& p, double lo, double hi, InstantName&
   if (p.size() < 2 || !std::isfinite(lo) || !std::isfinite(hi)) return false;
   make_canonical(p);
   if (p.size() == 2) {
-    mpz_neg(mpq_numref(name.lower.raw()), p[0].raw());
-    mpz_set(mpq_denref(name.lower.raw()), p[1].raw());
+    mpz_neg(mpq_numref(name.lower.edit()), p[0].raw());
+    mpz_set(mpq_denref(name.lower.edit()), p[1].raw());
     name.upper = name.lower;
     name.root = 1;
     name.polynomial = Polynomial(std::move(p));
@@ -104,8 +104,8 @@ bool RootNamer::count(const Frame& frame, double lo, double hi, InstantName& nam
   for (int i = 0; at_a && at_b && i <= kMostHalvings; ++i) {
     if (*at_a - *at_b == 1) {
       name.root = sturm_.variations_at_minus_infinity() - *at_a + 1;
-      mpq_set_d(name.lower.raw(), a);
-      mpq_set_d(name.upper.raw(), b);
+      mpq_set_d(name.lower.edit(), a);
+      mpq_set_d(name.upper.edit(), b);
       return true;
     }
     const double middle = 0.5 * (a + b);

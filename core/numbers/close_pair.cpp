@@ -11,7 +11,7 @@ namespace kinex {
 namespace {
 
 Rational times_power(Rational value, unsigned long k) {
-  mpq_mul_2exp(value.raw(), value.raw(), k);
+  mpq_mul_2exp(value.edit(), value.raw(), k);
   return value;
 }
 

@@ -12,9 +12,9 @@ namespace kinex {
 inline Rational dyadic(const Integer& numerator, long exponent) {  // numerator / 2^exponent
   Rational result(numerator);
   if (exponent >= 0) {
-    mpq_div_2exp(result.raw(), result.raw(), static_cast<unsigned long>(exponent));
+    mpq_div_2exp(result.edit(), result.raw(), static_cast<unsigned long>(exponent));
   } else {
-    mpq_mul_2exp(result.raw(), result.raw(), static_cast<unsigned long>(-exponent));
+    mpq_mul_2exp(result.edit(), result.raw(), static_cast<unsigned long>(-exponent));
   }
   return result;
 }

@@ -103,7 +103,7 @@ void DyadicPolynomial::write(unsigned common, std::vector<Rational>& out) const 
   out.resize(size);
   const unsigned shift = common - exponent_;
   for (std::size_t i = 0; i < size; ++i) {
-    const mpq_ptr q = out[i].raw();
+    const mpq_ptr q = out[i].edit();
     const Unsigned128 value = magnitude(c_[i]);
     mp_limb_t* limbs = mpz_limbs_write(mpq_numref(q), 2);
     limbs[0] = static_cast<mp_limb_t>(value);

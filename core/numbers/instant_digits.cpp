@@ -28,11 +28,11 @@ constexpr std::array<double, kExactTens + 1> kTens = [] {
 constexpr double kLeastDigits = 1e11;  // 10^(kDecimalDigits - 1)
 
 void set_dyadic(Rational& out, const Integer& mantissa, long exponent) {
-  mpq_set_z(out.raw(), mantissa.raw());
+  mpq_set_z(out.edit(), mantissa.raw());
   if (exponent >= 0) {
-    mpq_mul_2exp(out.raw(), out.raw(), static_cast<unsigned long>(exponent));
+    mpq_mul_2exp(out.edit(), out.raw(), static_cast<unsigned long>(exponent));
   } else {
-    mpq_div_2exp(out.raw(), out.raw(), static_cast<unsigned long>(-exponent));
+    mpq_div_2exp(out.edit(), out.raw(), static_cast<unsigned long>(-exponent));
   }
 }
 
@@ -46,8 +46,8 @@ void set_interval(const DyadicCell& cell, bool negative, Rational& lower, Ration
   mpz_add_ui(next.raw(), next.raw(), 1);
   set_dyadic(far, next, cell.exponent);
   if (!negative) return;
-  mpq_neg(near.raw(), near.raw());
-  mpq_neg(far.raw(), far.raw());
+  near = -std::move(near);
+  far = -std::move(far);
 }
 
 void write_digits(std::string& out, bool negative, std::uint64_t digits, long exponent) {

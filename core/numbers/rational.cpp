@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <utility>
 
 #include "core/numbers/check.h"
 #include "core/numbers/short_rational.h"
@@ -15,6 +17,25 @@ namespace kinex {
 namespace {
 
 constexpr mpfr_prec_t kDoubleBits = 53;
+
+// Of words, the second one positive: GMP's is written in assembly.
+std::int64_t common_divisor(std::int64_t a, std::int64_t b) {
+  if (a == 0 || b == 1) return b;
+  const auto size = static_cast<mp_limb_t>(a < 0 ? -a : a);
+  return static_cast<std::int64_t>(mpn_gcd_1(&size, 1, static_cast<mp_limb_t>(b)));
+}
+
+// A quotient without remainder.
+std::int64_t over(std::int64_t a, std::int64_t divisor) { return divisor == 1 ? a : a / divisor; }
+
+// A fraction of words, if both are: of each less than 2^63.
+bool fits(Int128 numerator, Int128 denominator, std::int64_t& n, std::int64_t& d) {
+  constexpr Int128 kMost = std::numeric_limits<std::int64_t>::max();
+  if (numerator > kMost || numerator < -kMost || denominator > kMost) return false;
+  n = static_cast<std::int64_t>(numerator);
+  d = static_cast<std::int64_t>(denominator);
+  return true;
+}
 
 // The numerator and the denominator as integers of at most 53 bits; false if they are longer.
 bool are_short(mpq_srcptr value, std::int64_t& n, std::int64_t& d) {
@@ -134,17 +155,112 @@ std::optional<Rational> parse_unsigned(std::string_view text) {
 
 }  // namespace
 
+static_assert(GMP_NUMB_BITS == 64);
+
+Rational::Rational(const Integer& value) : Rational() {
+  mpz_set(mpq_numref(edit()), value.raw());
+  move_in();
+}
+
 Rational::Rational(const Integer& numerator, const Integer& denominator) : Rational() {
   require(!denominator.is_zero(), "Rational: the denominator is zero");
-  mpz_set(mpq_numref(q_), numerator.raw());
+  mpz_set(mpq_numref(edit()), numerator.raw());
   mpz_set(mpq_denref(q_), denominator.raw());
   mpq_canonicalize(q_);
+  move_in();
+}
+
+void Rational::copy_beyond(const Rational& other) {
+  mpz_init_set(mpq_numref(q_), mpq_numref(other.q_));
+  mpz_init_set(mpq_denref(q_), mpq_denref(other.q_));
+}
+
+void Rational::move_out() {
+  mpz_t above, below;
+  mpz_init_set(above, mpq_numref(q_));
+  mpz_init_set(below, mpq_denref(q_));
+  *mpq_numref(q_) = *above;
+  *mpq_denref(q_) = *below;
+}
+
+void Rational::move_in() {
+  if (is_within() || !has_words()) return;
+  const int size = sign();
+  const mp_limb_t n = mpz_getlimbn(mpq_numref(q_), 0), d = mpz_getlimbn(mpq_denref(q_), 0);
+  mpq_clear(q_);
+  keep_within(size, n, d);
+}
+
+bool Rational::sum(const Words& a, const Words& b, Words& out) {
+  const std::int64_t common =
+      a.denominator == b.denominator ? a.denominator : common_divisor(a.denominator, b.denominator);
+  const std::int64_t a_rest = over(a.denominator, common), b_rest = over(b.denominator, common);
+  const Int128 above = Int128{a.numerator} * b_rest + Int128{b.numerator} * a_rest;
+  if (common == 1) return fits(above, Int128{a_rest} * b_rest, out.numerator, out.denominator);
+  // What is left of the common divisor of numerator and denominator divides that of the denominators.
+  const std::int64_t left = common_divisor(static_cast<std::int64_t>(above % common), common);
+  return fits(left == 1 ? above : above / left, Int128{a_rest} * over(b.denominator, left),
+              out.numerator, out.denominator);
+}
+
+bool Rational::product(const Words& a, const Words& b, Words& out) {
+  const bool is_square = a.numerator == b.numerator && a.denominator == b.denominator;
+  const std::int64_t down = is_square ? 1 : common_divisor(a.numerator, b.denominator);
+  const std::int64_t up = is_square ? 1 : common_divisor(b.numerator, a.denominator);
+  return fits(Int128{over(a.numerator, down)} * over(b.numerator, up),
+              Int128{over(a.denominator, up)} * over(b.denominator, down), out.numerator,
+              out.denominator);
+}
+
+Rational& Rational::operator+=(const Rational& b) {
+  Words u, v, w;
+  if (read(u) && b.read(v) && sum(u, v, w)) {
+    keep(w);
+  } else {
+    mpq_add(edit(), q_, b.q_);
+  }
+  return *this;
+}
+
+Rational& Rational::operator-=(const Rational& b) {
+  Words u, v, w;
+  if (read(u) && b.read(v) && sum(u, {-v.numerator, v.denominator}, w)) {
+    keep(w);
+  } else {
+    mpq_sub(edit(), q_, b.q_);
+  }
+  return *this;
+}
+
+Rational& Rational::operator*=(const Rational& b) {
+  Words u, v, w;
+  if (read(u) && b.read(v) && product(u, v, w)) {
+    keep(w);
+  } else {
+    mpq_mul(edit(), q_, b.q_);
+  }
+  return *this;
+}
+
+Rational& Rational::operator/=(const Rational& b) {
+  Words u, v, w;
+  if (read(u) && b.read(v) && v.numerator != 0) {
+    const Words inverse =
+        v.numerator < 0 ? Words{-v.denominator, -v.numerator} : Words{v.denominator, v.numerator};
+    if (product(u, inverse, w)) {
+      keep(w);
+      return *this;
+    }
+  }
+  mpq_div(edit(), q_, b.q_);
+  return *this;
 }
 
 std::optional<Rational> Rational::from_double(double value) {
   if (!std::isfinite(value)) return std::nullopt;
   Rational result;
-  mpq_set_d(result.q_, value);
+  mpq_set_d(result.edit(), value);
+  result.move_in();
   return result;
 }
 
@@ -157,7 +273,7 @@ std::optional<Rational> Rational::parse(std::string_view text) {
   const bool negative = take(text, '-');
   if (!negative) take(text, '+');
   std::optional<Rational> result = parse_unsigned(text);
-  if (result && negative) mpq_neg(result->q_, result->q_);
+  if (result && negative) *result = -std::move(*result);
   return result;
 }
 

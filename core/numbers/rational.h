@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rational: exact fractions, always canonical (gcd 1, positive denominator). Wraps GMP's mpq.
+//
+// A fraction of two words is kept within the object and computed with machine integers: audits of small scenes have
+// no others. Cost: no allocation and a gcd of words for each operation then; as mpq otherwise.
 #ifndef KINEX_CORE_NUMBERS_RATIONAL_H
 #define KINEX_CORE_NUMBERS_RATIONAL_H
 
 #include <gmp.h>
 
 #include <compare>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,17 +20,40 @@ namespace kinex {
 
 class Rational {
  public:
-  Rational() { mpq_init(q_); }
-  Rational(int value) : Rational() { mpq_set_si(q_, value, 1); }           // NOLINT: exact
-  Rational(std::int64_t value) : Rational() { mpq_set_si(q_, value, 1); }  // NOLINT
-  Rational(const Integer& value) : Rational() { mpq_set_z(q_, value.raw()); }  // NOLINT
+  Rational() { keep_within(0, 0, 1); }
+  Rational(int value) : Rational(static_cast<std::int64_t>(value)) {}  // NOLINT: exact
+  Rational(std::int64_t value) { keep_within(signed_size(value), size_of(value), 1); }  // NOLINT
+  Rational(const Integer& value);                                                       // NOLINT
   // numerator / denominator, reduced; requires denominator != 0.
   Rational(const Integer& numerator, const Integer& denominator);
-  Rational(const Rational& other) : Rational() { mpq_set(q_, other.q_); }
-  Rational(Rational&& other) noexcept : Rational() { mpq_swap(q_, other.q_); }
-  Rational& operator=(const Rational& other) { mpq_set(q_, other.q_); return *this; }
-  Rational& operator=(Rational&& other) noexcept { mpq_swap(q_, other.q_); return *this; }
-  ~Rational() { mpq_clear(q_); }
+  Rational(const Rational& other) {
+    if (other.has_words()) {
+      keep_words_of(other);
+    } else {
+      copy_beyond(other);
+    }
+  }
+  Rational(Rational&& other) noexcept { take_over(other); }
+  Rational& operator=(const Rational& other) {
+    if (is_within() && other.has_words()) {
+      keep_words_of(other);
+    } else {
+      mpq_set(edit(), other.q_);
+    }
+    return *this;
+  }
+  Rational& operator=(Rational&& other) noexcept {
+    if (!is_within() && !other.is_within()) {
+      mpq_swap(q_, other.q_);
+    } else if (this != &other) {
+      if (!is_within()) mpq_clear(q_);
+      take_over(other);
+    }
+    return *this;
+  }
+  ~Rational() {
+    if (!is_within()) mpq_clear(q_);
+  }
   Rational(double) = delete;  // a binary64 is read with from_double, on purpose
 
   // Exactly the binary64 `value`; nullopt for NaN and infinities.
@@ -55,26 +82,95 @@ class Rational {
   // "p" or "p/q", canonical.
   std::string to_string() const;
 
-  Rational& operator+=(const Rational& b) { mpq_add(q_, q_, b.q_); return *this; }
-  Rational& operator-=(const Rational& b) { mpq_sub(q_, q_, b.q_); return *this; }
-  Rational& operator*=(const Rational& b) { mpq_mul(q_, q_, b.q_); return *this; }
+  Rational& operator+=(const Rational& b);
+  Rational& operator-=(const Rational& b);
+  Rational& operator*=(const Rational& b);
   // Requires b != 0.
-  Rational& operator/=(const Rational& b) { mpq_div(q_, q_, b.q_); return *this; }
+  Rational& operator/=(const Rational& b);
   friend Rational operator+(Rational a, const Rational& b) { a += b; return a; }
   friend Rational operator-(Rational a, const Rational& b) { a -= b; return a; }
   friend Rational operator*(Rational a, const Rational& b) { a *= b; return a; }
   friend Rational operator/(Rational a, const Rational& b) { a /= b; return a; }
-  friend Rational operator-(Rational a) { mpq_neg(a.q_, a.q_); return a; }
+  friend Rational operator-(Rational a) {
+    mpz_neg(mpq_numref(a.q_), mpq_numref(a.q_));  // in place: its sign alone
+    return a;
+  }
   friend bool operator==(const Rational& a, const Rational& b) { return mpq_equal(a.q_, b.q_) != 0; }
   friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
-    return mpq_cmp(a.q_, b.q_) <=> 0;
+    Words u, v;
+    if (!a.read(u) || !b.read(v)) return mpq_cmp(a.q_, b.q_) <=> 0;
+    if (u.denominator == v.denominator) return u.numerator <=> v.numerator;
+    return Int128{u.numerator} * v.denominator <=> Int128{v.numerator} * u.denominator;
   }
 
+  // = numerator / denominator, which are in lowest terms; numerator > -2^63, denominator > 0. No allocation.
+  void set_words(std::int64_t numerator, std::int64_t denominator) {
+    keep({numerator, denominator});
+  }
+
+  // To read. What it points to is gone when the number changes, moves or ends.
   mpq_srcptr raw() const { return q_; }
-  mpq_ptr raw() { return q_; }
+  // To write by GMP's functions, which may allocate. The result must be canonical.
+  mpq_ptr edit() {
+    if (is_within()) move_out();
+    return q_;
+  }
 
  private:
-  mpq_t q_;
+  struct Words {  // in lowest terms; numerator > -2^63, denominator > 0
+    std::int64_t numerator, denominator;
+  };
+
+  // GMP's headers of the numbers within: they have room for no more (MPZ_ROINIT_N), so GMP only reads them.
+  void keep_within(int size, mp_limb_t numerator, mp_limb_t denominator) {
+    limbs_[0] = numerator;
+    limbs_[1] = denominator;
+    const mpz_t above = MPZ_ROINIT_N(limbs_, size), below = MPZ_ROINIT_N(limbs_ + 1, 1);
+    *mpq_numref(q_) = *above;
+    *mpq_denref(q_) = *below;
+  }
+  bool is_within() const { return mpq_denref(q_)->_mp_d == limbs_ + 1; }
+  // Each part is one word, within or not.
+  bool has_words() const { return mpz_size(mpq_numref(q_)) <= 1 && mpz_size(mpq_denref(q_)) == 1; }
+  bool read(Words& out) const {
+    if (!has_words()) return false;
+    const mp_limb_t n = mpz_getlimbn(mpq_numref(q_), 0), d = mpz_getlimbn(mpq_denref(q_), 0);
+    if (((n | d) >> 63) != 0) return false;
+    const auto magnitude = static_cast<std::int64_t>(n);
+    out = {sign() < 0 ? -magnitude : magnitude, static_cast<std::int64_t>(d)};
+    return true;
+  }
+  void keep(const Words& words) {
+    if (!is_within()) mpq_clear(q_);
+    keep_within(signed_size(words.numerator), size_of(words.numerator),
+                static_cast<mp_limb_t>(words.denominator));
+  }
+  static int signed_size(std::int64_t value) { return value < 0 ? -1 : value > 0 ? 1 : 0; }
+  static mp_limb_t size_of(std::int64_t value) {
+    return value < 0 ? mp_limb_t{0} - static_cast<mp_limb_t>(value) : static_cast<mp_limb_t>(value);
+  }
+  void keep_words_of(const Rational& other) {
+    keep_within(other.sign(), mpz_getlimbn(mpq_numref(other.q_), 0),
+                mpz_getlimbn(mpq_denref(other.q_), 0));
+  }
+  // Of an object that has no number yet; leaves 0.
+  void take_over(Rational& other) noexcept {
+    if (other.is_within()) {
+      keep_words_of(other);
+    } else {
+      *q_ = *other.q_;
+      other.keep_within(0, 0, 1);
+    }
+  }
+  void copy_beyond(const Rational& other);
+  void move_out();
+  void move_in();  // if its parts are words
+  // Words of the result, if they are.
+  static bool sum(const Words& a, const Words& b, Words& out);
+  static bool product(const Words& a, const Words& b, Words& out);
+
+  mpq_t q_;             // its limbs are `limbs_` or GMP's
+  mp_limb_t limbs_[2];  // numerator, denominator
 };
 
 // Decimal digits of `value`, rounded towards zero, with `digits` digits after the point.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/numbers/short_dyadic.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace kinex {
 namespace {
@@ -22,8 +25,10 @@ Rational ShortDyadic::to_rational() const {
 }
 
 void ShortDyadic::assign_to(Rational& target) const {
-  mpq_set_si(target.raw(), numerator, 1);
-  mpq_div_2exp(target.raw(), target.raw(), static_cast<mp_bitcnt_t>(places));
+  const int common =
+      numerator == 0 ? places
+                     : std::min(places, std::countr_zero(static_cast<std::uint64_t>(numerator)));
+  target.set_words(numerator / (std::int64_t{1} << common), std::int64_t{1} << (places - common));
 }
 
 std::optional<ShortDyadic> shortest_dyadic(double lo, double hi) {

@@ -92,8 +92,7 @@ std::optional<ShortRational> shortened(const Rational& value) {
 }
 
 void assign(Rational& target, const ShortRational& value) {
-  mpz_set_si(mpq_numref(target.raw()), value.numerator);
-  mpz_set_si(mpq_denref(target.raw()), value.denominator);
+  target.set_words(value.numerator, value.denominator);
 }
 
 std::optional<bool> equal_lines(const ShortRational& a0, const ShortRational& a1, const ShortRational& b0,

@@ -27,7 +27,7 @@ std::optional<ShortRational> parse_short(std::string_view text);
 // `value` if both of its parts fit a word. No allocation.
 std::optional<ShortRational> shortened(const Rational& value);
 
-// target = value. Allocates only if `target` lacks the room.
+// target = value. No allocation.
 void assign(Rational& target, const ShortRational& value);
 
 // Whether a0 + a1 t = b0 + b1 t; nullopt where 128 bits do not hold the products.

@@ -8,32 +8,42 @@ function(kinex_room folder room)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/${room}/*.cpp)
   string(REPLACE "/" "_" name ${room})
   set(target kinex_${folder}_${name})
-  # Alone: audits, which include other libraries, whose names are many; what is compiled anew for every commit; small
-  # rooms whose files define the same names in their unnamed namespaces; members of a class template that another
-  # file instantiates as a whole.
+  # Audits include CGAL, and nothing else does: batches of their own. Alone: audits by CGAL's triangulations of points,
+  # which have the same names; what is compiled anew for every commit; small rooms whose files define the same names in
+  # their unnamed namespaces; members of a class template that another file instantiates as a whole.
   set(alone ${sources})
+  set(audits)
   set(single core/numbers core/arithmetic core/engine predicates/bodies predicates/ccd)
   if(NOT ${folder}/${room} IN_LIST single)
-    list(FILTER alone INCLUDE REGEX "_audit\\.cpp$|/machine\\.cpp$|/regular_hidden\\.cpp$")
+    list(FILTER alone INCLUDE REGEX "/(delaunay|regular)_[23]_audit\\.cpp$|/machine\\.cpp$|/regular_hidden\\.cpp$")
+    set(audits ${sources})
+    list(REMOVE_ITEM audits ${alone} "")
+    list(FILTER audits INCLUDE REGEX "_audit\\.cpp$")
   endif()
-  list(REMOVE_ITEM sources ${alone} "")
+  list(REMOVE_ITEM sources ${alone} ${audits} "")
   set(size 6)
   if(folder STREQUAL experiments)
     set(size 8)
   endif()
   kinex_batches(batches ${target} ${size} ${sources})
-  add_library(${target} STATIC ${batches} ${alone})
+  kinex_batches(audit_batches ${target}_audits 6 ${audits})
+  add_library(${target} STATIC ${batches} ${audit_batches} ${alone})
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/kinex>)
   target_link_libraries(${target} ${ARGN} PRIVATE $<BUILD_INTERFACE:kinex_warnings>)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder}_${name} KINEX_ROOM ${folder}/${room})
-  kinex_precompile(${target})
-  if(NOT folder STREQUAL experiments)
-    set_property(GLOBAL APPEND PROPERTY KINEX_ROOMS ${target})
+  set(group rooms)
+  if(CGAL::CGAL IN_LIST ARGN)  # which rounds in other ways
+    set(group rooms_cgal)
   endif()
   # Under sanitizers clang takes far longer for optimised formulas and verbs, and tests gain no time by them.
   if(KINEX_SANITIZE AND (folder STREQUAL experiments OR ${folder}/${room} STREQUAL predicates/points))
     target_compile_options(${target} PRIVATE -O0)
+    string(APPEND group _plain)
+  endif()
+  kinex_precompile(${target} ${group})
+  if(NOT folder STREQUAL experiments)
+    set_property(GLOBAL APPEND PROPERTY KINEX_ROOMS ${target})
   endif()
 endfunction()
 

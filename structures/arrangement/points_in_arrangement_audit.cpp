@@ -37,9 +37,9 @@ using Vertex = Planar::Vertex_const_handle;
 using Point = Exact::Point_2;
 using Ids = std::vector<ObjectId>;
 
-class Witness {
+class PointsWitness {
  public:
-  Witness(const Snapshot& snapshot, const std::vector<bool>& is_line) {
+  PointsWitness(const Snapshot& snapshot, const std::vector<bool>& is_line) {
     std::vector<Traits::Curve_2> curves;
     for (ObjectId l = 0; l < snapshot.objects(); ++l) {
       if (!is_line[l] || !snapshot.alive(l)) continue;
@@ -134,7 +134,7 @@ class Witness {
 }  // namespace
 
 void PointsInArrangement::audit(const Snapshot& snapshot, AuditReport& report) const {
-  const Witness witness(snapshot, is_line_);
+  const PointsWitness witness(snapshot, is_line_);
   Ids points;
   for (ObjectId p = 0; p < snapshot.objects(); ++p) {
     if (snapshot.alive(p) && !is_line_[p]) points.push_back(p);

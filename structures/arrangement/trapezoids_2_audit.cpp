@@ -58,9 +58,9 @@ class Raised {
   std::map<ObjectId, Number> parts_;
 };
 
-class Witness {
+class WallsWitness {
  public:
-  Witness(const Snapshot& snapshot, const Ids& lines) : ids_(lines) {
+  WallsWitness(const Snapshot& snapshot, const Ids& lines) : ids_(lines) {
     std::vector<Traits::Curve_2> curves;
     for (const ObjectId l : lines) {
       const Line line{Number(snapshot.position(l, 0).raw()), Number(snapshot.position(l, 1).raw())};
@@ -146,8 +146,9 @@ class Witness {
     return result;
   }
   void decompose() {
-    using Found = std::pair<Planar::Vertex_const_handle, std::pair<CGAL::Object, CGAL::Object>>;
-    std::list<Found> found;
+    using Decomposed =
+        std::pair<Planar::Vertex_const_handle, std::pair<CGAL::Object, CGAL::Object>>;
+    std::list<Decomposed> found;
     CGAL::decompose(planar_, std::back_inserter(found));
     for (const auto& [vertex, features] : found) {
       if (vertex->is_at_open_boundary()) continue;
@@ -171,7 +172,7 @@ void Trapezoids2::audit(const Snapshot& snapshot, AuditReport& report) const {
   for (ObjectId l = 0; l < snapshot.objects(); ++l) {
     if (snapshot.alive(l)) lines.push_back(l);
   }
-  const Witness witness(snapshot, lines);
+  const WallsWitness witness(snapshot, lines);
   std::size_t walls = 0;
   walls_.each(false, [&](const FaceWalls::Wall& wall, ObjectId end) {
     ++walls;

@@ -11,8 +11,8 @@
 namespace kinex {
 namespace {
 
-struct Placed {
-  Placed(const SceneObject& object, const Snapshot& snapshot, ObjectId id)
+struct PlacedInFrame {
+  PlacedInFrame(const SceneObject& object, const Snapshot& snapshot, ObjectId id)
       : body(object), x(snapshot.position(id, 0)), y(snapshot.position(id, 1)) {
     const Rational &p = snapshot.position(id, 2), &q = snapshot.position(id, 3);
     const Rational n = p * p + q * q;
@@ -38,9 +38,9 @@ void SeparationHysteresis::audit(const Snapshot& snapshot, AuditReport& report) 
     if (!has_wedge(p)) continue;
     const BodyPair& pair = pairs_[p];
     const bool of_a = !wedges_[p].line_is_of_b();
-    const Placed a(pairs_.scene().objects[pair.a], snapshot, pair.a);
-    const Placed b(pairs_.scene().objects[pair.b], snapshot, pair.b);
-    const Placed &own = of_a ? a : b, &other = of_a ? b : a;
+    const PlacedInFrame a(pairs_.scene().objects[pair.a], snapshot, pair.a);
+    const PlacedInFrame b(pairs_.scene().objects[pair.b], snapshot, pair.b);
+    const PlacedInFrame &own = of_a ? a : b, &other = of_a ? b : a;
     const Trajectory& line = pairs_.kernel().derived().trajectory(wedges_[p].objects()[0]);
     const auto along =
         [&](const Vertex2& v) {  // the normal of the line, from the frame of its body

@@ -42,8 +42,6 @@ std::vector<Point> hull_of(const std::vector<Point>& points) {
   return hull;
 }
 
-Number cross(const Vector& u, const Vector& v) { return u.x() * v.y() - u.y() * v.x(); }
-
 // The extents of points on the edge from a to b, times the length of the edge, and its square.
 struct CaliperExtents {
   Number height, width, square;
@@ -52,7 +50,7 @@ CaliperExtents extents_of(const std::vector<Point>& points, const Point& a, cons
   const Vector u = b - a;
   Number height(0), least(0), most(0);
   for (const Point& p : points) {
-    height = std::max(height, cross(u, p - a));
+    height = std::max(height, CGAL::determinant(u, p - a));
     least = std::min(least, u * (p - a));
     most = std::max(most, u * (p - a));
   }
@@ -122,10 +120,11 @@ void CaliperExtremum::audit_strip(const Snapshot& snapshot, AuditReport& report)
   if (a == b) return report.check(false, [] { return "the edge of the strip has no length"; });
   const CaliperExtents there = extents_of(points, a, b);
   report.check(value_of(there, measure_) == right, [] { return "another strip is narrower"; });
-  report.check(cross(b - a, c - a) == there.height,
+  report.check(CGAL::determinant(b - a, c - a) == there.height,
                [] { return "another vertex is opposite to the edge"; });
   for (const Point& p : points) {
-    report.check(cross(b - a, p - a) >= 0, [] { return "the edge is not on the hull"; });
+    report.check(CGAL::determinant(b - a, p - a) >= 0,
+                 [] { return "the edge is not on the hull"; });
   }
 }
 
@@ -148,13 +147,14 @@ void CaliperExtremum::audit_rectangle(const Snapshot& snapshot, AuditReport& rep
   if (measure_ == CaliperMeasure::kArea) {
     std::vector<Point> corners;
     CGAL::min_rectangle_2(hull.begin(), hull.end(), std::back_inserter(corners));
-    const Number area = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const Number area = CGAL::determinant(corners[1] - corners[0], corners[2] - corners[0]);
     report.check(area == right, [] { return "the two witnesses of the area differ"; });
   }
   report.check(value_of(there, measure_) == right, [] { return "another rectangle is smaller"; });
   const Vector u = at[1] - at[0];
-  report.check(cross(u, at[3] - at[0]) == there.height && u * (at[2] - at[4]) == there.width,
-               [] { return "other vertices touch the rectangle"; });
+  report.check(
+      CGAL::determinant(u, at[3] - at[0]) == there.height && u * (at[2] - at[4]) == there.width,
+      [] { return "other vertices touch the rectangle"; });
 }
 
 }  // namespace kinex

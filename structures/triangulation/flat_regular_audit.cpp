@@ -15,11 +15,11 @@ namespace {
 
 using namespace in_plane_audit;
 using Weighted = Exact::Weighted_point_3;
-using VertexBase =
+using WeightedVertexBase =
     CGAL::Triangulation_vertex_base_with_info_3<ObjectId, Exact,
                                                 CGAL::Regular_triangulation_vertex_base_3<Exact>>;
 using Witnesses = CGAL::Regular_triangulation_3<
-    Exact, CGAL::Triangulation_data_structure_3<VertexBase,
+    Exact, CGAL::Triangulation_data_structure_3<WeightedVertexBase,
                                                 CGAL::Regular_triangulation_cell_base_3<Exact>>>;
 
 // The height of v over the plane of a triangle, all lifted: `lifts`, by object. The triangle is not flat in

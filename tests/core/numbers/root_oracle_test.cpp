@@ -62,7 +62,7 @@ std::vector<std::pair<Rational, Rational>> arb_real_roots(const Polynomial& p) {
     fmpq_init(q);
     arf_get_fmpq(q, x);
     Rational r;
-    fmpq_get_mpq(r.raw(), q);
+    fmpq_get_mpq(r.edit(), q);
     fmpq_clear(q);
     return r;
   };
