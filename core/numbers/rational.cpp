@@ -204,9 +204,10 @@ bool Rational::sum(const Words& a, const Words& b, Words& out) {
 }
 
 bool Rational::product(const Words& a, const Words& b, Words& out) {
-  const bool is_square = a.numerator == b.numerator && a.denominator == b.denominator;
-  const std::int64_t down = is_square ? 1 : common_divisor(a.numerator, b.denominator);
-  const std::int64_t up = is_square ? 1 : common_divisor(b.numerator, a.denominator);
+  // Each is in lowest terms, so equal denominators have nothing in common with either numerator.
+  const bool are_equal = a.denominator == b.denominator;
+  const std::int64_t down = are_equal ? 1 : common_divisor(a.numerator, b.denominator);
+  const std::int64_t up = are_equal ? 1 : common_divisor(b.numerator, a.denominator);
   return fits(Int128{over(a.numerator, down)} * over(b.numerator, up),
               Int128{over(a.denominator, up)} * over(b.denominator, down), out.numerator,
               out.denominator);
