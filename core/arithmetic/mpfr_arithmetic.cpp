@@ -83,7 +83,7 @@ class MpfrArithmetic final : public Arithmetic {
   std::optional<Rational> now_value() const override {
     if (!now_.is_finite()) return std::nullopt;
     Rational value;
-    mpfr_get_q(value.raw(), now_.raw());
+    mpfr_get_q(value.edit(), now_.raw());
     return value;
   }
   const InstantName& name_now(InstantDetail detail) override {
@@ -180,7 +180,7 @@ class MpfrArithmetic final : public Arithmetic {
 
   static Rational to_rational(const MpFloat& x) {
     Rational q;
-    if (x.is_finite()) mpfr_get_q(q.raw(), x.raw());
+    if (x.is_finite()) mpfr_get_q(q.edit(), x.raw());
     return q;
   }
 
