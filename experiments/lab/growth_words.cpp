@@ -41,6 +41,13 @@ std::string growth_words(const std::optional<Fit>& power, double exponent, std::
   }
 }
 
+std::string careful_growth_words(const std::optional<Fit>& power, double exponent,
+                                 std::string_view law) {
+  const bool is_told = growth_order(power, exponent + kCarefulMargin) == GrowthOrder::kFaster ||
+                       growth_order(power, exponent - kCarefulMargin) == GrowthOrder::kSlower;
+  return growth_words(is_told ? power : std::nullopt, exponent, law);
+}
+
 std::vector<FitPoint> ratios(std::span<const FitPoint> under, std::span<const FitPoint> over) {
   std::vector<FitPoint> result;
   for (const FitPoint& below : under) {

@@ -28,6 +28,12 @@ GrowthOrder growth_order(const std::optional<Fit>& power, double exponent);
 // `law` is how the exponent is written. For a sentence that begins with "they grow".
 std::string growth_words(const std::optional<Fit>& power, double exponent, std::string_view law);
 
+// The same for small sizes: a term of lower order may move an exponent by kCarefulMargin, so that an interval which is
+// nearer to the given one than that tells nothing.
+inline constexpr double kCarefulMargin = 0.05;
+std::string careful_growth_words(const std::optional<Fit>& power, double exponent,
+                                 std::string_view law);
+
 // Two counts at the same n, means with their errors: the ratio of the second to the first at each n that
 // both have, in the order of the first. Errors are those of independent means.
 std::vector<FitPoint> ratios(std::span<const FitPoint> under, std::span<const FitPoint> over);

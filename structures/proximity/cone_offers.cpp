@@ -191,10 +191,7 @@ void ConeOffers::check(AuditReport& report) const {
 
 void ConeOffers::audit(const Snapshot& snapshot, AuditReport& report) const {
   for (std::size_t i = 0; i < kOctantAxes; ++i) {
-    const auto axis = static_cast<OctantAxis>(i);
-    report.check(lists_[i].items() == static_order(snapshot, axis), [axis] {
-      return std::string("the order differs from a sorted list, by ") + octant_axis_name(axis);
-    });
+    check_order(snapshot, static_cast<OctantAxis>(i), lists_[i].items(), report);
   }
 }
 

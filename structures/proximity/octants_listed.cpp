@@ -169,10 +169,7 @@ void OctantsListed::check_invariants(AuditReport& report) const {
 void OctantsListed::audit(const Snapshot& snapshot, AuditReport& report) const {
   ConeNeighbours::audit(snapshot, report);
   for (std::size_t i = 0; i < kOctantAxes; ++i) {
-    const auto axis = static_cast<OctantAxis>(i);
-    report.check(lists_[i].items() == static_order(snapshot, axis), [axis] {
-      return std::string("the order differs from a sorted list, by ") + octant_axis_name(axis);
-    });
+    check_order(snapshot, static_cast<OctantAxis>(i), lists_[i].items(), report);
   }
 }
 

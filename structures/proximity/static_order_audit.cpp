@@ -2,6 +2,7 @@
 #include "structures/proximity/static_order_audit.h"
 
 #include <algorithm>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -20,6 +21,13 @@ std::vector<ObjectId> static_order(const Snapshot& snapshot, OctantAxis axis) {
   order.reserve(keys.size());
   for (const auto& key : keys) order.push_back(std::get<2>(key));
   return order;
+}
+
+void check_order(const Snapshot& snapshot, OctantAxis axis, const std::vector<ObjectId>& order,
+                 AuditReport& report) {
+  report.check(order == static_order(snapshot, axis), [axis] {
+    return std::string("the order differs from a sorted list, by ") + octant_axis_name(axis);
+  });
 }
 
 }  // namespace kinex

@@ -15,6 +15,10 @@ namespace kinex {
 // counter-clockwise turn, of equal ones the one with the smallest id (turned_order.h). O(n log n).
 std::vector<ObjectId> static_order(const Snapshot& snapshot, OctantAxis axis);
 
+// Checks that `order` is that one.
+void check_order(const Snapshot& snapshot, OctantAxis axis, const std::vector<ObjectId>& order,
+                 AuditReport& report);
+
 }  // namespace kinex
 
 #endif

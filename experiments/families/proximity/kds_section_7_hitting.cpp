@@ -263,15 +263,6 @@ std::vector<lab::FitPoint> points_of(const lab::StudyResult& result, std::string
   return points;
 }
 
-// As lab::growth_words, but an interval that is nearer to the exponent than a term of lower order may move it
-// tells nothing.
-std::string hitting_words(const std::optional<lab::Fit>& power, double exponent, const char* law) {
-  constexpr double kMargin = 0.05;
-  const bool is_told = lab::growth_order(power, exponent + kMargin) == lab::GrowthOrder::kFaster ||
-                       lab::growth_order(power, exponent - kMargin) == lab::GrowthOrder::kSlower;
-  return lab::growth_words(is_told ? power : std::nullopt, exponent, law);
-}
-
 // What the two fits and the share of the sets that were chosen tell.
 std::string hitting_text(const HitScenes& kind, const lab::StudyResult& result,
                          std::size_t different) {
@@ -294,11 +285,12 @@ std::string hitting_text(const HitScenes& kind, const lab::StudyResult& result,
                     percent)
               : ". All maximal sets were chosen";
   if (percent >= 95) text += ". The exponent is then nearly that of the number of these sets";
-  text += kind.is_dense ? fmt::format(". The points grow {}, and {}",
-                                      hitting_words(by_discs, 4.0 / 3, "n^(4/3)"),
-                                      hitting_words(by_discs, 5.0 / 3, "n^(5/3)"))
-                        : fmt::format(". The points grow {}", hitting_words(by_discs, 1, "n"));
-  text += fmt::format("; over the pairs they grow {}", hitting_words(by_pairs, 1, "p"));
+  text += kind.is_dense
+              ? fmt::format(". The points grow {}, and {}",
+                            lab::careful_growth_words(by_discs, 4.0 / 3, "n^(4/3)"),
+                            lab::careful_growth_words(by_discs, 5.0 / 3, "n^(5/3)"))
+              : fmt::format(". The points grow {}", lab::careful_growth_words(by_discs, 1, "n"));
+  text += fmt::format("; over the pairs they grow {}", lab::careful_growth_words(by_pairs, 1, "p"));
   if (last.count > 0) {
     text += fmt::format(". At n = {:.0f} there are {:.1f} pairs for each point",
                         over_discs.back().n, last.n / last.count);

@@ -65,16 +65,6 @@ std::string ratio_text(const std::vector<lab::FitPoint>& ratios) {
   return text;
 }
 
-// As lab::growth_words, for small sizes: a term of lower order may move the exponent by kMargin, so that an
-// interval which is nearer to the given exponent tells nothing.
-std::string careful_words(const std::optional<lab::Fit>& power, double exponent, const char* law) {
-  constexpr double kMargin = 0.05;
-  const bool is_faster = lab::growth_order(power, exponent + kMargin) == lab::GrowthOrder::kFaster;
-  const bool is_slower = lab::growth_order(power, exponent - kMargin) == lab::GrowthOrder::kSlower;
-  const bool is_told = is_faster || is_slower;
-  return lab::growth_words(is_told ? power : std::nullopt, exponent, law);
-}
-
 lab::PaperClaim claim_on_agreement(const std::vector<lab::SeriesResult>& results) {
   std::vector<std::string_view> structures;
   for (const PairMethod& method : kPairMethods) structures.push_back(method.structure);
@@ -249,7 +239,7 @@ void add_colour_claims(const std::vector<lab::SeriesResult>& results, lab::PartR
   observed += ". On the row, where the pair changes n^2 - 1 times, " +
               lab::local_exponents(ratios) +
               "; on random motion, where it changes seldom, the events for a change grow " +
-              careful_words(lab::fit_power(random), 0.5, "n^(1/2)");
+              lab::careful_growth_words(lab::fit_power(random), 0.5, "n^(1/2)");
   report.claims.push_back(open_question(
       "7.6.efficient",
       "Is there a responsive, compact, local and efficient structure for the closest pair of two "
@@ -277,7 +267,7 @@ void add_disc_claims(const std::vector<lab::SeriesResult>& results, lab::PartRep
   }
   observed += ". On the row " + lab::local_exponents(ratios) +
               "; on random motion the events for a change grow " +
-              careful_words(lab::fit_power(random), 0.5, "n^(1/2)") +
+              lab::careful_growth_words(lab::fit_power(random), 0.5, "n^(1/2)") +
               ". Radii are small there: 7.6.balls-local has the other case";
   report.claims.push_back(open_question(
       "7.6.balls-efficient",

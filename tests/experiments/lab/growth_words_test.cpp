@@ -36,6 +36,18 @@ TEST(GrowthWords, TheWholeIntervalDecides) {
             "at a rate that these sizes do not tell from that of n^0.7");
 }
 
+TEST(GrowthWords, CarefulWordsLeaveAMargin) {
+  const auto fit = lab::fit_power(power_of(0.7, 6));
+  EXPECT_EQ(lab::growth_words(fit, 0.68, "n^0.68"), "faster than n^0.68");
+  EXPECT_EQ(lab::growth_words(fit, 0.72, "n^0.72"), "more slowly than n^0.72");
+  const std::string untold = "at a rate that these sizes do not tell from that of ";
+  EXPECT_EQ(lab::careful_growth_words(fit, 0.68, "n^0.68"), untold + "n^0.68");
+  EXPECT_EQ(lab::careful_growth_words(fit, 0.72, "n^0.72"), untold + "n^0.72");
+  EXPECT_EQ(lab::careful_growth_words(fit, 0.6, "n^0.6"), "faster than n^0.6");
+  EXPECT_EQ(lab::careful_growth_words(fit, 0.8, "n^0.8"), "more slowly than n^0.8");
+  EXPECT_EQ(lab::careful_growth_words(std::nullopt, 0.6, "n^0.6"), untold + "n^0.6");
+}
+
 TEST(GrowthWords, FewSizesTellNothing) {
   EXPECT_EQ(lab::growth_order(std::nullopt, 0), GrowthOrder::kUntold);
   EXPECT_EQ(lab::growth_order(lab::fit_power(power_of(2, 3)), 0.5), GrowthOrder::kUntold);
