@@ -109,14 +109,15 @@ TEST(RationalWords, AnOperandMayBeTheResult) {
     SCOPED_TRACE(x);
     const Witness u(x);
     Rational sum = parsed(x), difference = sum, product = sum, quotient = sum;
-    sum += sum;
-    difference -= difference;
-    product *= product;
+    const auto same = [](const Rational& value) -> const Rational& { return value; };
+    sum += same(sum);
+    difference -= same(difference);
+    product *= same(product);
     expect_is(sum, Witness::by(mpq_add, u, u));
     expect_is(difference, Witness("0"));
     expect_is(product, Witness::by(mpq_mul, u, u));
     if (!quotient.is_zero()) {
-      quotient /= quotient;
+      quotient /= same(quotient);
       expect_is(quotient, Witness("1"));
     }
   }
