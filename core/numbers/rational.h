@@ -2,7 +2,8 @@
 // Rational: exact fractions, always canonical (gcd 1, positive denominator). Wraps GMP's mpq.
 //
 // A fraction of two words is kept within the object and computed with machine integers: audits of small scenes have
-// no others. Cost: no allocation and a gcd of words for each operation then; as mpq otherwise.
+// no others. Cost: no allocation and at most two common divisors of words for each operation then; otherwise that of mpq,
+// and copies of operands that are words. The shares: sh experiments/bench/run fractions.
 #ifndef KINEX_CORE_NUMBERS_RATIONAL_H
 #define KINEX_CORE_NUMBERS_RATIONAL_H
 
