@@ -15,7 +15,7 @@ import xml.etree.ElementTree
 
 from chromium import browser
 from committed_figures import faults_of, look
-from viewer import Viewer
+from viewer import READY, SETTLE, Viewer
 
 # As the keys X, Y and Z and some others look at it.
 VIEWS = [(0, 0), (90, 0), (0, 90), (24, 18), (-130, -47), (61, -90)]
@@ -100,7 +100,8 @@ def check_controls(viewer):
     if press("8") != [0, 90]:
         fail("the picture can be turned over")
     viewer.window.open(viewer.ask("location.href.split('#')[0]") + "#event=2&view=-40,12.5")
-    viewer.ask("new Promise(done => setTimeout(done, 200))")
+    viewer.ask(READY)
+    viewer.ask(SETTLE)
     found = viewer.ask("[app.k, app.plane.camera.yaw, app.plane.camera.pitch]")
     if found != [2, -40, 12.5]:
         fail(f"an address with a view opens {found}")

@@ -5,7 +5,8 @@ import pathlib
 import subprocess
 
 READY = "new Promise(done => { const wait = setInterval(() => { if (window.kinexState) { clearInterval(wait); done(); } }, 20); })"
-SETTLE = "new Promise(done => setTimeout(done, 80))"
+# What a page draws it draws in its next frame, which comes late on a busy machine: the second frame from here comes after it.
+SETTLE = "new Promise(done => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(() => done())), 80))"
 
 
 class Viewer:
