@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pages of `kinex view`: Voronoi cells, colours, queries, frames of lines, records that report, curves with names,
+"""Pages of `kinex view`: Voronoi cells, weights, colours, queries, frames of lines, records that report, curves with names,
 walls of grids, what is named, lines of a record, roles, frames of pairs and of one place, what has left.
 
 usage: view_marks.py PROGRAM SOURCE_FOLDER
@@ -52,6 +52,38 @@ def check_cell(viewer):
                 fail(f"at {u} the corner {x}, {y} is {away[:3]} from the sites")
     if corners < 6:
         fail(f"only {corners} corners of cells are in sight")
+
+
+# Weights above 0, at 0 and below, one that grows; e is not in the triangulation; f leaves.
+WEIGHTS = {"kinex": 1, "name": "weights", "dimension": 2, "time": {"start": 0, "end": 4},
+           "objects": [{"id": "a", "motion": [[0], [0]], "weight": [4]}, {"id": "b", "motion": [[9, 1], [0]], "weight": [0]},
+                       {"id": "c", "motion": [[4], [7]], "weight": [-2]}, {"id": "d", "motion": [[5], [-6]], "weight": [0, "9/4"]},
+                       {"id": "e", "motion": [[7], [3]], "weight": [1]},
+                       {"id": "f", "motion": [{"to": 2, "coordinates": [[2], [3]]}], "weight": [1]}],
+           "maintain": [{"structure": "regular_2", "of": ["a", "b", "c", "d", "f"]}, "sorted_list"]}
+
+
+def check_weights(viewer):
+    """Around every point of a structure that is there is a circle of its weight, dashed below 0; none where nothing reads weights."""
+    def circles(u):
+        viewer.say(f"app.setStructure(DATA.structures.findIndex(s => s.name === 'regular_2')); app.setMode('plane'); app.setTime({u});")
+        return viewer.ask("(() => { const context = app.picture.context, arc = context.arc, seen = [], plane = app.drawing; context.arc ="
+                          " function (x, y, r, ...more) { seen.push([x, y, r, this.getLineDash().length > 0]); return arc.call(this, x, y, r,"
+                          " ...more); }; drawWeights(context, plane); delete context.arc; return seen.map(([x, y, r, dashed]) =>"
+                          " [DATA.ids[[...Array(OBJECTS).keys()].find(id => plane.sx[id] === x && plane.sy[id] === y)],"
+                          " Math.round(1e6 * (r / plane.scale * DATA.scale) ** 2) / 1e6, dashed]); })()")
+
+    viewer.look("weights", WEIGHTS)
+    for u, wanted in ((0.25, {"a": (4, False), "c": (2, True), "d": (2.25, False), "f": (1, False)}),
+                      (1, {"a": (4, False), "c": (2, True), "d": (9, False)})):
+        seen = {name: (square, dashed) for name, square, dashed in circles(u)}
+        if seen != wanted:
+            fail(f"at {u} the weights are drawn as {seen}, not as {wanted}")
+    if "square of a radius" not in viewer.ask("document.getElementById('legend').innerText"):
+        fail("the legend does not explain weights")
+    viewer.look("unread", {**WEIGHTS, "maintain": ["convex_hull_2"]})
+    if viewer.ask("[READS_WEIGHTS, document.getElementById('legend').innerText.includes('weight')]") != [False, False]:
+        fail("weights are drawn that nothing reads")
 
 
 def check_colours(viewer):
@@ -321,11 +353,11 @@ def main():
     import devtools  # pylint: disable=import-outside-toplevel
     with tempfile.TemporaryDirectory() as name, devtools.Browser(1400, 950) as window:
         viewer = Viewer(sys.argv[1], name, window)
-        for check in (check_cell, check_colours, check_lines, check_reports, check_curves,
+        for check in (check_cell, check_weights, check_colours, check_lines, check_reports, check_curves,
                       check_walls, check_names, check_marked_lines, check_roles, check_frame, check_place, check_left,
                       check_feature_names):
             check(viewer)
-    print("cells, colours, lines, reports and curves are as they should be")
+    print("cells, weights, colours, lines, reports and curves are as they should be")
 
 
 if __name__ == "__main__":

@@ -91,6 +91,27 @@ function drawMarked(context, plane, object, radius) {
   if (asked || colour >= 0) context.stroke();
 }
 
+// The weight of a point is the square of the radius of a circle around it: points outside the circle have a positive power to it.
+// A weight below 0 has none: dashed is that of its absolute value. Only where a certificate reads weights.
+const READS_WEIGHTS = WEIGHTED && RUNS.some(run => run.predicates.some(name => name.includes("power")));
+function drawWeights(context, plane) {
+  if (!READS_WEIGHTS) return;
+  const parts = PARTS[plane.app.shown()];
+  context.lineWidth = OBJECTS > 300 ? 0.4 : 0.8;
+  context.globalAlpha = 0.45;
+  for (let object = 0; object < OBJECTS; ++object) {
+    const radius = Math.sqrt(Math.abs(WEIGHT[object])) * plane.scale;
+    if (!alive[object] || parts[object] !== IN || !(radius > 0 && radius < LARGEST_RADIUS)) continue;
+    context.strokeStyle = toneOf(object);
+    context.setLineDash(WEIGHT[object] < 0 ? [2, 4] : []);
+    context.beginPath();
+    context.arc(plane.sx[object], plane.sy[object], radius, 0, 2 * Math.PI);
+    context.stroke();
+  }
+  context.setLineDash([]);
+  context.globalAlpha = 1;
+}
+
 // What the marks mean: [sign, tone, text].
 function meaningsOfMarks(app) {
   const structure = DATA.structures[app.shown()], parts = PARTS[app.shown()];
@@ -101,6 +122,7 @@ function meaningsOfMarks(app) {
   if (parts.some((part, object) => part === LEFT_OUT && !IS_LINE[object])) {
     entries.push(["\u25cb", COLOUR.quiet, "not in " + structure.label]);
   }
+  if (READS_WEIGHTS) entries.push(["\u25ef", COLOUR.quiet, "weight, as the square of a radius"]);
   return entries;
 }
 

@@ -105,6 +105,7 @@ class Plane {
     context.clip();
     this.drawAxes(context);
     this.drawExtents(context, marked);
+    drawWeights(context, this);
     this.drawLines(context);
     this.drawAttribute(context);
     this.drawCertificates(context);
