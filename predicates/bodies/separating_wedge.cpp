@@ -106,8 +106,8 @@ double support(const RoughPolygon& rough, const Vector& direction) {
 // Relative error of a rounded time (core/numbers/rounded_instant.h).
 constexpr double kTimeError = 0x1p-39;
 
-// Absolute error of a product or a coefficient by underflow.
-constexpr double kTiny = 0x1p-1070;
+// Bounds the absolute error of a product or a coefficient by underflow; no subnormal number, as in Ball.
+constexpr double kTiny = 0x1p-900;
 // Times beyond this are rounded to it, and are therefore unknown.
 constexpr double kLatest = 0x1p1000;
 // Lengths whose squares and products are in the range of doubles.
